@@ -1,0 +1,81 @@
+package simpleray.image;
+
+import java.io.BufferedOutputStream;
+import java.io.Closeable;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.file.FileSystemException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.nio.file.StandardOpenOption;
+import java.util.concurrent.atomic.AtomicInteger;
+
+/**
+ * A picture file in the making. It is written beside its target and moved over it when it is whole, so that the target is at all
+ * times the old picture or the new one. A target that is there and is no file, such as a device, is written to as it is.
+ */
+public final class PictureFile implements Closeable {
+    private static final AtomicInteger COUNT = new AtomicInteger();
+
+    private final Path target;
+    private final Path part;             // equal to the target where nothing is to be moved
+    private final OutputStream out;
+    private boolean whole;
+
+    /**
+     * Makes sure that the file can be created, and begins it.
+     *
+     * @param path the target
+     * @throws FileSystemException if it cannot be created; the reason says why
+     * @throws IOException likewise
+     */
+    public PictureFile(Path path) throws IOException {
+        if (Files.isDirectory(path)) {
+            throw new FileSystemException(path.toString(), null, "is a folder");
+        }
+        boolean there = Files.exists(path);
+        if (there && !Files.isWritable(path)) {
+            throw new FileSystemException(path.toString(), null, "is write-protected");
+        }
+        target = there ? path.toRealPath() : path.toAbsolutePath();
+        Path folder = target.getParent();
+        if (folder == null || !Files.isDirectory(folder)) {
+            throw new FileSystemException(path.toString(), null, "there is no folder " + path.toAbsolutePath().getParent());
+        }
+        part = there && !Files.isRegularFile(target) ? target
+            : folder.resolve("." + target.getFileName() + '.' + ProcessHandle.current().pid() + '-' + COUNT.incrementAndGet() + ".part");
+        out = new BufferedOutputStream(part.equals(target)
+            ? Files.newOutputStream(target) : Files.newOutputStream(part, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE));
+        if (!part.equals(target)) {
+            part.toFile().deleteOnExit();                     // should the program be told to stop before close
+        }
+    }
+
+    /**
+     * Writes the picture and moves the file to its target.
+     *
+     * @param picture the picture, all its rows set
+     * @throws IOException if it cannot be written; the target is then as it was
+     */
+    public void write(Picture picture) throws IOException {
+        PngWriter.write(picture, out);
+        out.close();
+        if (!part.equals(target)) {
+            Files.move(part, target, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
+        }
+        whole = true;
+    }
+
+    /** Removes what was begun if it was not written whole. */
+    @Override
+    public void close() throws IOException {
+        try {
+            out.close();
+        } finally {
+            if (!whole && !part.equals(target)) {
+                Files.deleteIfExists(part);
+            }
+        }
+    }
+}

@@ -1,0 +1,99 @@
+package simpleray.scene;
+
+import java.io.IOException;
+import java.util.Set;
+import simpleray.math.Colour;
+import simpleray.text.SceneReader;
+import simpleray.text.SceneWriter;
+
+/** What a surface does with light: its ambient, diffuse and specular colour and its shininess (thesis, chapters 4 and 5). */
+public final class Material {
+    /** Keywords that later versions know after the shininess: no headings, lest a picture be made without what they ask for. */
+    private static final Set<String> KEYWORDS = Set.of("transmit");
+
+    /** The share of the scene's ambient light that the surface sends back, Ka. */
+    public Colour ambient = new Colour(1, 1, 1);
+    /** The share of a light that it scatters evenly, Kd. */
+    public Colour diffuse = new Colour(1, 1, 1);
+    /** The exponent of the highlight, 0 or more; its whole part is also the most reflections that the surface grants. */
+    public double shininess = 2;
+    /** The share of a light in its highlight, and of what its mirror ray sees, Ks. */
+    public Colour specular = new Colour();
+
+    /** Creates the default material: white and matt, as the thesis's sphere 2. */
+    public Material() {
+    }
+
+    /**
+     * Creates a copy.
+     *
+     * @param m the material to copy
+     */
+    public Material(Material m) {
+        ambient = new Colour(m.ambient);
+        diffuse = new Colour(m.diffuse);
+        specular = new Colour(m.specular);
+        shininess = m.shininess;
+    }
+
+    /** {@return the most reflections that follow a hit of this surface: "depends on the shininess" (thesis, chapter 7)} */
+    public int reflections() {
+        return (int) Math.floor(shininess);
+    }
+
+    /**
+     * Prints the material as the thesis's Interpretation does, one line without its line break.
+     *
+     * @param os where to
+     * @throws IOException if it cannot be written
+     */
+    public void print(SceneWriter os) throws IOException {
+        os.writeString("Material: ambient ");
+        ambient.print(os);
+        os.writeString(" diffuse ");
+        diffuse.print(os);
+        os.writeString(" specular ");
+        specular.print(os);
+        os.writeString(" shininess ");
+        os.writeDouble(shininess);
+    }
+
+    /**
+     * Reads the three colours and the shininess.
+     *
+     * @param is where from
+     * @throws IOException if they are not there, or one is below 0
+     */
+    public void read(SceneReader is) throws IOException {
+        readColour(is, "ambient", ambient);
+        readColour(is, "diffuse", diffuse);
+        readColour(is, "specular", specular);
+        shininess = is.readDouble("shininess");
+        if (shininess < 0) {
+            is.reject("shininess of 0 or more");
+        }
+        is.refuse(KEYWORDS, "end after its shininess");
+    }
+
+    /**
+     * Writes the material, so that {@link #read} gets an equal one.
+     *
+     * @param os where to
+     * @throws IOException if it cannot be written
+     */
+    public void write(SceneWriter os) throws IOException {
+        ambient.write(os);
+        os.writeString("  ");
+        diffuse.write(os);
+        os.writeString("  ");
+        specular.write(os);
+        os.writeString("  ");
+        os.writeDouble(shininess);
+    }
+
+    private static void readColour(SceneReader is, String name, Colour colour) throws IOException {
+        is.enter(name);
+        colour.read(is);
+        is.leave();
+    }
+}

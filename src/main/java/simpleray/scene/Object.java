@@ -1,0 +1,79 @@
+package simpleray.scene;
+
+import java.io.IOException;
+import simpleray.math.Point;
+import simpleray.math.Ray;
+import simpleray.math.Vector;
+import simpleray.text.SceneReader;
+import simpleray.text.SceneWriter;
+
+/** Something that a ray can hit (thesis, chapter 5). Not {@link java.lang.Object}, which each class extends anyway. */
+public abstract class Object {
+    /** What {@link #intersect} returns for a miss. */
+    public static final double MISS = -1;
+    /** Hits at this t or below are no hits, so that a ray does not hit the surface it starts on. */
+    public static final double THRESHOLD = 1e-7;
+
+    /** What the surface is made of; kept, not copied. */
+    public Material surfaceMaterial;
+
+    /**
+     * For subclasses.
+     *
+     * @param material the material, referenced
+     */
+    protected Object(Material material) {
+        surfaceMaterial = material;
+    }
+
+    /**
+     * Finds the nearest hit of a ray. Any thread may call.
+     *
+     * @param ray the ray; its direction need not be of unit length
+     * @return t of the hit, above {@link #THRESHOLD}, in lengths of the ray's direction; {@link #MISS}, which is negative, if none
+     */
+    public abstract double intersect(Ray ray);
+
+    /**
+     * Finds the normal at a point of the surface. Any thread may call.
+     *
+     * @param pt the point
+     * @return a new vector of unit length, which the caller may change; outward where there is an outside
+     */
+    public abstract Vector normal(Point pt);
+
+    /**
+     * Prints the object as the thesis's Interpretation does, two lines without the last line break.
+     *
+     * @param os where to
+     * @throws IOException if it cannot be written
+     */
+    public abstract void print(SceneWriter os) throws IOException;
+
+    /**
+     * Reads the object, its material last, all but the code of its kind.
+     *
+     * @param is where from
+     * @throws IOException if it is not there or makes no object
+     */
+    public abstract void read(SceneReader is) throws IOException;
+
+    /**
+     * Writes the object, so that {@link #read} gets an equal one.
+     *
+     * @param os where to
+     * @throws IOException if it cannot be written
+     */
+    public abstract void write(SceneWriter os) throws IOException;
+
+    /**
+     * Reads a material of the object's own.
+     *
+     * @param is where from
+     * @throws IOException if it is not there
+     */
+    protected final void readMaterial(SceneReader is) throws IOException {
+        surfaceMaterial = new Material();
+        surfaceMaterial.read(is);
+    }
+}

@@ -1,0 +1,59 @@
+package simpleray.scene;
+
+import java.io.IOException;
+import simpleray.math.Point;
+import simpleray.math.Vector;
+import simpleray.text.SceneReader;
+import simpleray.text.SceneWriter;
+
+/** A light that shines from one point in all directions (thesis, chapter 5). */
+public final class PointLight extends Light {
+    /** Where the light is. */
+    public Point origin;
+
+    /** Creates a white light at the origin. */
+    public PointLight() {
+        this(new Point());
+    }
+
+    /**
+     * Creates a white light.
+     *
+     * @param p where it is, referenced
+     */
+    public PointLight(Point p) {
+        origin = p;
+    }
+
+    @Override
+    public double towards(Point p, Vector l) {
+        Vector.subtract(l, origin, p);
+        double distance = l.norm();
+        l.normalise();
+        return distance;
+    }
+
+    @Override
+    public void print(SceneWriter os) throws IOException {
+        os.writeString("Point light with colour: ");
+        intensity.print(os);
+        os.writeString(" and origin: ");
+        origin.print(os);
+    }
+
+    @Override
+    public void read(SceneReader is) throws IOException {
+        readIntensity(is);
+        is.enter("origin");
+        origin = new Point();
+        origin.read(is);
+        is.leave();
+    }
+
+    @Override
+    public void write(SceneWriter os) throws IOException {
+        intensity.write(os);
+        os.writeString("  ");
+        origin.write(os);
+    }
+}

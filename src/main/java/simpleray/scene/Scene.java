@@ -1,0 +1,326 @@
+package simpleray.scene;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Objects;
+import java.util.Set;
+import simpleray.math.Colour;
+import simpleray.math.Point;
+import simpleray.math.Ray;
+import simpleray.math.Vector;
+import simpleray.text.SceneReader;
+import simpleray.text.SceneWriter;
+
+/**
+ * Objects, lights and ambient light, and the colour that a ray sees among them (thesis, chapters 4 and 5; Whitted, "An improved
+ * illumination model for shaded display", 1980). <em>Mutable</em> until it is rendered.
+ */
+public final class Scene {
+    /** Reading ends at this many errors. */
+    private static final int MOST_ERRORS = 20;
+    /** Keywords that later versions know after the last light: no headings, lest a picture be made without what they ask for. */
+    private static final Set<String> KEYWORDS =
+        Set.of("background", "window", "cop", "camera", "resolution", "depth", "samples");
+
+    /** The ambient light that falls on every object alike, GA. */
+    public Colour ambient = new Colour();
+
+    private final List<Object> objects = new ArrayList<>();
+    private final List<Light> lights = new ArrayList<>();
+    private int numberObjects;
+    private int numberLights;
+
+    /** Creates an empty, dark scene. */
+    public Scene() {
+    }
+
+    /** {@return the number of objects} */
+    public int getNumberObjects() {
+        return numberObjects;
+    }
+
+    /** {@return the number of lights} */
+    public int getNumberLights() {
+        return numberLights;
+    }
+
+    /**
+     * Sets the number of objects. Places are made as they are set, and each must be before the scene is used.
+     *
+     * @param n the number, 0 or more
+     */
+    public void setNumberObjects(int n) {
+        numberObjects = resize(objects, n);
+    }
+
+    /**
+     * Sets the number of lights. Places are made as they are set, and each must be before the scene is used.
+     *
+     * @param n the number, 0 or more
+     */
+    public void setNumberLights(int n) {
+        numberLights = resize(lights, n);
+    }
+
+    /**
+     * Puts an object in its place.
+     *
+     * @param i the place, from 0
+     * @param o the object, referenced
+     * @throws IndexOutOfBoundsException if there is no such place
+     */
+    public void setObject(int i, Object o) {
+        put(objects, Objects.checkIndex(i, numberObjects), o);
+    }
+
+    /**
+     * Puts a light in its place.
+     *
+     * @param i the place, from 0
+     * @param o the light, referenced
+     * @throws IndexOutOfBoundsException if there is no such place
+     */
+    public void setLight(int i, Light o) {
+        put(lights, Objects.checkIndex(i, numberLights), o);
+    }
+
+    /**
+     * Finds an object.
+     *
+     * @param i its place, from 0
+     * @return the object itself
+     */
+    public Object getObject(int i) {
+        return objects.get(i);
+    }
+
+    /**
+     * Finds a light.
+     *
+     * @param i its place, from 0
+     * @return the light itself
+     */
+    public Light getLight(int i) {
+        return lights.get(i);
+    }
+
+    /**
+     * Finds the colour that a ray sees. Any thread may call.
+     *
+     * @param ray the ray, of unit direction
+     * @param colour gets the colour, linear and not clamped; black if nothing is hit
+     * @param depth how many reflections may follow, 0 or more
+     * @return whether an object is hit
+     */
+    public boolean intersect(Ray ray, Colour colour, int depth) {
+        return intersect(ray, colour, depth, Terms.ALL);
+    }
+
+    /**
+     * Finds parts of the colour that a ray sees. Any thread may call.
+     *
+     * @param ray the ray, of unit direction
+     * @param colour gets the colour, linear and not clamped; black if nothing is hit
+     * @param depth how many reflections may follow, 0 or more
+     * @param terms which parts are wanted
+     * @return whether an object is hit
+     */
+    public boolean intersect(Ray ray, Colour colour, int depth, Terms terms) {
+        colour.reset();
+        Object nearest = null;
+        double distance = Double.POSITIVE_INFINITY;
+        for (Object object : objects) {
+            double t = object.intersect(ray);
+            if (t >= 0 && t < distance) {                     // of two at the same t the first one stays
+                nearest = object;
+                distance = t;
+            }
+        }
+        if (nearest == null) {
+            return false;
+        }
+
+        Material material = nearest.surfaceMaterial;
+        Point point = ray.getPointAt(distance);
+        Vector normal = nearest.normal(point);
+        if (normal.dot(ray.direction) > 0) {                  // both sides of a surface are lit and mirror alike
+            normal.negate();
+        }
+
+        addLocal(colour, material, point, normal, Vector.negate(ray.direction), terms);
+        int bounces = Math.min(depth, material.reflections());
+        if (terms.reflections() && bounces > 0 && !material.specular.isBlack()) {
+            Colour seen = new Colour();
+            intersect(new Ray(point, mirrored(ray.direction, normal)), seen, bounces - 1, terms);
+            seen.mult(material.specular);
+            colour.add(seen);
+        }
+        return true;
+    }
+
+    /**
+     * Adds what the lights make of a surface, Ka·GA + Σ LC (Kd (N·L) + Ks (N·H)^shininess) over those it sees (thesis, chapter 4). The
+     * three terms are summed apart, so that pictures of each add up to the picture of all to the last bit.
+     */
+    private void addLocal(Colour colour, Material material, Point point, Vector normal, Vector view, Terms terms) {
+        Colour diffuse = new Colour();
+        Colour specular = new Colour();
+        Vector towards = new Vector();
+        for (Light light : lights) {
+            double distance = light.towards(point, towards);
+            double facing = normal.dot(towards);
+            if (facing <= 0 || terms.shadows() && isShadowed(new Ray(point, towards), distance)) {
+                continue;
+            }
+            if (terms.diffuse()) {
+                Colour scattered = Colour.mult(material.diffuse, light.intensity);
+                scattered.scale(facing);
+                diffuse.add(scattered);
+            }
+            if (terms.specular()) {
+                Vector halfway = Vector.add(towards, view);
+                halfway.normalise();
+                Colour highlight = Colour.mult(material.specular, light.intensity);
+                highlight.scale(StrictMath.pow(Math.max(0, normal.dot(halfway)), material.shininess));
+                specular.add(highlight);
+            }
+        }
+        if (terms.ambient()) {
+            colour.add(Colour.mult(material.ambient, ambient));
+        }
+        colour.add(diffuse);
+        colour.add(specular);
+    }
+
+    /** Tells whether anything stands between a point and a light at this distance. */
+    private boolean isShadowed(Ray towards, double distance) {
+        for (Object object : objects) {
+            double t = object.intersect(towards);
+            if (t >= 0 && t < distance) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Finds R = D - 2 (D·N) N. */
+    private static Vector mirrored(Vector direction, Vector normal) {
+        Vector mirror = Vector.scale(normal, -2 * direction.dot(normal));
+        mirror.add(direction);
+        return mirror;
+    }
+
+    /**
+     * Prints the thesis's Interpretation of the scene (chapter 6).
+     *
+     * @param os where to
+     * @throws IOException if it cannot be written
+     */
+    public void print(SceneWriter os) throws IOException {
+        os.writeString("Scene has " + numberObjects + " objects\n");
+        os.writeString("Scene has " + numberLights + " lights\n");
+        os.writeString("Number of objects " + numberObjects + '\n');
+        for (Object object : objects) {
+            object.print(os);
+            os.writeNewline();
+        }
+        os.writeString("Ambient light is ");
+        ambient.write(os);
+        os.writeNewline();
+        os.writeString("Number of lights " + numberLights + '\n');
+        for (Light light : lights) {
+            light.print(os);
+            os.writeNewline();
+        }
+    }
+
+    /**
+     * Reads a scene to the end of the file. It takes the place of what was here only if all of it is right.
+     *
+     * @param is where from
+     * @throws IOException if it cannot be read; {@link simpleray.text.SceneFormatException} with up to 20 errors if it is no scene
+     */
+    public void read(SceneReader is) throws IOException {
+        is.tolerate(MOST_ERRORS);
+        int n = is.readInt("the number of objects", 0);
+        List<Object> newObjects = new ArrayList<>();          // grows as objects come: n may be a lie
+        for (int i = 1; i <= n; i++) {
+            is.enter("object", i);
+            Object object = Kind.read(is, ObjectKind.values(), n + " objects are");
+            object.read(is);
+            newObjects.add(object);
+            is.leave();
+        }
+        is.enter("the scene's ambient");
+        Colour newAmbient = new Colour();
+        newAmbient.read(is);
+        is.leave();
+        int m = is.readInt("the number of lights (after " + n + " objects and the ambient light)", 0);
+        List<Light> newLights = new ArrayList<>();
+        for (int i = 1; i <= m; i++) {
+            is.enter("light", i);
+            Light light = Kind.read(is, LightKind.values(), m + " lights are");
+            light.read(is);
+            newLights.add(light);
+            is.leave();
+        }
+        String end = "the end of the scene (after " + n + " objects and " + m + " lights)";
+        is.refuse(KEYWORDS, end);
+        is.complete(end);
+
+        objects.clear();
+        objects.addAll(newObjects);
+        numberObjects = n;
+        lights.clear();
+        lights.addAll(newLights);
+        numberLights = m;
+        ambient = newAmbient;
+    }
+
+    /**
+     * Writes the scene, so that {@link #read} gets an equal one, bit for bit.
+     *
+     * @param os where to
+     * @throws IOException if it cannot be written
+     */
+    public void write(SceneWriter os) throws IOException {
+        os.writeString("# number of objects\n");
+        os.writeInt(numberObjects);
+        os.writeNewline();
+        for (Object object : objects) {
+            Kind.write(os, ObjectKind.values(), object);
+            os.writeString("  ");
+            object.write(os);
+            os.writeNewline();
+        }
+        os.writeString("# ambient light\n");
+        ambient.write(os);
+        os.writeString("\n# number of lights\n");
+        os.writeInt(numberLights);
+        os.writeNewline();
+        for (Light light : lights) {
+            Kind.write(os, LightKind.values(), light);
+            os.writeString("  ");
+            light.write(os);
+            os.writeNewline();
+        }
+    }
+
+    private static int resize(List<?> list, int n) {
+        if (n < 0) {
+            throw new IllegalArgumentException("a number of things must be 0 or more, and is " + n);
+        }
+        if (n < list.size()) {
+            list.subList(n, list.size()).clear();
+        }
+        return n;
+    }
+
+    private static <T> void put(List<T> list, int i, T thing) {
+        while (list.size() <= i) {
+            list.add(null);
+        }
+        list.set(i, thing);
+    }
+}

@@ -1,0 +1,106 @@
+package simpleray.scene;
+
+import java.io.IOException;
+import simpleray.math.Point;
+import simpleray.math.Ray;
+import simpleray.math.Vector;
+import simpleray.text.SceneReader;
+import simpleray.text.SceneWriter;
+
+/** A sphere, (P - C)·(P - C) = R² (thesis, chapters 3 and 5). */
+public final class Sphere extends Object {
+    /** The centre. */
+    public Point centre;
+    /** The radius, above 0. */
+    public double radius;
+
+    /** Creates a sphere of radius 1 about the origin, of the default material. */
+    public Sphere() {
+        this(new Material(), new Point(), 1);
+    }
+
+    /**
+     * Creates a sphere. The values are referenced, not copied.
+     *
+     * @param n the material
+     * @param p the centre
+     * @param r the radius, above 0
+     */
+    public Sphere(Material n, Point p, double r) {
+        super(n);
+        centre = p;
+        radius = r;
+    }
+
+    /**
+     * {@inheritDoc} A ray that starts inside hits the far side; one that grazes hits.
+     *
+     * <p>The thesis's quadratic a t² + b t + e = 0, in the arrangement that keeps its digits for small and far spheres (Haines,
+     * Günther and Akenine-Möller, "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems, 2019).
+     */
+    @Override
+    public double intersect(Ray ray) {
+        Vector d = ray.direction;
+        double fx = ray.origin.x - centre.x;
+        double fy = ray.origin.y - centre.y;
+        double fz = ray.origin.z - centre.z;
+        double a = d.x * d.x + d.y * d.y + d.z * d.z;
+        double towards = -(fx * d.x + fy * d.y + fz * d.z);   // -b/2
+        double closest = towards / a;                         // t where the ray comes closest to the centre
+        double lx = fx + closest * d.x;
+        double ly = fy + closest * d.y;
+        double lz = fz + closest * d.z;
+        double square = radius * radius - (lx * lx + ly * ly + lz * lz);
+        if (!(square >= 0)) {
+            return MISS;
+        }
+        double e = fx * fx + fy * fy + fz * fz - radius * radius;
+        double q = towards + Math.copySign(Math.sqrt(a * square), towards);
+        double one = e / q;
+        double other = q / a;
+        double near = Math.min(one, other);
+        if (near > THRESHOLD) {
+            return near;
+        }
+        double far = Math.max(one, other);
+        return far > THRESHOLD ? far : MISS;
+    }
+
+    @Override
+    public Vector normal(Point p) {
+        Vector out = Vector.subtract(p, centre);
+        out.normalise();
+        return out;
+    }
+
+    @Override
+    public void print(SceneWriter os) throws IOException {
+        os.writeString("Sphere with centre: ");
+        centre.print(os);
+        os.writeString(" and radius: ");
+        os.writeDouble(radius);
+        os.writeNewline();
+        surfaceMaterial.print(os);
+    }
+
+    @Override
+    public void read(SceneReader is) throws IOException {
+        is.enter("centre");
+        centre = new Point();
+        centre.read(is);
+        is.leave();
+        radius = is.readDouble("radius");
+        if (radius <= 0) {
+            is.reject("radius above 0");
+        }
+        readMaterial(is);
+    }
+
+    @Override
+    public void write(SceneWriter os) throws IOException {
+        centre.write(os);
+        os.writeDouble(radius);
+        os.writeString("  ");
+        surfaceMaterial.write(os);
+    }
+}

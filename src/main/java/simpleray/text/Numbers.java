@@ -1,0 +1,63 @@
+package simpleray.text;
+
+/** What counts as a number in a scene file: plain or exponent decimals, no NaN, Infinity, hex floats or suffixes. */
+final class Numbers {
+    private Numbers() {
+    }
+
+    /** {@return the finite double that the word means, or NaN if it means none} */
+    static double parseDouble(String word) {
+        double value = isDecimal(word) ? Double.parseDouble(word) : Double.NaN;
+        return Double.isInfinite(value) ? Double.NaN : value;
+    }
+
+    /** {@return the finite float that the word means, or NaN if it means none} */
+    static float parseFloat(String word) {
+        float value = isDecimal(word) ? Float.parseFloat(word) : Float.NaN;
+        return Float.isInfinite(value) ? Float.NaN : value;
+    }
+
+    /** {@return the integer from {@code least} to {@code most} that the word means, or null if it means none} */
+    static Long parseInteger(String word, long least, long most) {
+        if (digits(word, sign(word)) != word.length()) {
+            return null;
+        }
+        try {
+            long value = Long.parseLong(word);
+            return value < least || value > most ? null : value;
+        } catch (NumberFormatException e) {                   // no digit at all, or more than a long holds
+            return null;
+        }
+    }
+
+    private static boolean isDecimal(String word) {
+        int start = sign(word);
+        int whole = digits(word, start);
+        int end = whole;
+        boolean some = whole > start;
+        if (end < word.length() && word.charAt(end) == '.') {
+            end = digits(word, end + 1);
+            some |= end > whole + 1;
+        }
+        if (some && end < word.length() && (word.charAt(end) == 'e' || word.charAt(end) == 'E')) {
+            int exponent = end + 1 + sign(word.substring(end + 1));
+            end = digits(word, exponent);
+            some = end > exponent;
+        }
+        return some && end == word.length();
+    }
+
+    /** {@return 1 if the word begins with a sign, else 0} */
+    private static int sign(String word) {
+        return !word.isEmpty() && (word.charAt(0) == '-' || word.charAt(0) == '+') ? 1 : 0;
+    }
+
+    /** {@return where the run of digits 0 to 9 from this index ends} */
+    private static int digits(String word, int from) {
+        int end = from;
+        while (end < word.length() && word.charAt(end) >= '0' && word.charAt(end) <= '9') {
+            end++;
+        }
+        return end;
+    }
+}

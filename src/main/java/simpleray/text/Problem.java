@@ -1,0 +1,49 @@
+package simpleray.text;
+
+/**
+ * One error or warning at a place of a scene file. <em>Constant.</em>
+ *
+ * @param file the file as the user named it, {@code <stdin>} for standard input
+ * @param line the line, counted from 1
+ * @param column the character in the line at which the word begins, counted from 1 (a tab is one character)
+ * @param error true for an error, false for a warning
+ * @param message what was expected and what was found
+ * @param source the line's text, without its line break
+ */
+public record Problem(String file, int line, int column, boolean error, String message, String source) {
+    /** The longest piece of a source line that is shown. */
+    private static final int SHOWN = 160;
+    private static final String CUT = "...";
+
+    /** {@return the first line of the report: {@code FILE:LINE:COLUMN: error: expected WHAT, found WHAT}} */
+    public String headline() {
+        return file + ':' + line + ':' + column + (error ? ": error: " : ": warning: ") + message;
+    }
+
+    /** {@return the headline, under it the source line, under that a caret at the column; no line break at the end} */
+    @Override
+    public String toString() {
+        int at = source.offsetByCodePoints(0, Math.min(column - 1, source.codePointCount(0, source.length())));
+        int from = source.length() <= SHOWN ? 0 : Math.max(0, at - SHOWN / 2);
+        int to = Math.min(source.length(), from + SHOWN);
+        if (from > 0 && Character.isLowSurrogate(source.charAt(from))) {
+            from--;
+        }
+        if (to < source.length() && Character.isLowSurrogate(source.charAt(to))) {
+            to--;
+        }
+        String head = from > 0 ? CUT : "";
+        String tail = to < source.length() ? CUT : "";
+        StringBuilder caret = new StringBuilder(" ".repeat(head.length()));
+        // a tab above is a tab below, so that the caret stands under its word however wide tabs are
+        source.substring(from, at).codePoints().forEach(c -> caret.append(c == '\t' ? '\t' : ' '));
+        return headline() + '\n' + head + printable(source.substring(from, to)) + tail + '\n' + caret + '^';
+    }
+
+    /** {@return the text with every control character but the tab replaced, so that a file cannot steer a terminal} */
+    static String printable(String text) {
+        StringBuilder shown = new StringBuilder(text.length());
+        text.codePoints().forEach(c -> shown.appendCodePoint(c != '\t' && Character.isISOControl(c) ? '\uFFFD' : c));
+        return shown.toString();
+    }
+}

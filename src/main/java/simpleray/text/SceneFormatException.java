@@ -1,0 +1,30 @@
+package simpleray.text;
+
+import java.io.IOException;
+import java.util.List;
+import java.util.stream.Collectors;
+
+/** A scene file that says something else than the format allows: one error or more, each with its place. */
+public final class SceneFormatException extends IOException {
+    private static final long serialVersionUID = 1L;
+
+    /** What is wrong, in the order of the file; never empty. */
+    private final transient List<Problem> problems;
+
+    /**
+     * Creates the exception; its message is the whole report, each problem with its source line and caret.
+     *
+     * @param problems what is wrong, at least one
+     * @param stopped true when reading stopped because there were too many errors
+     */
+    public SceneFormatException(List<Problem> problems, boolean stopped) {
+        super(problems.stream().map(Problem::toString).collect(Collectors.joining("\n"))
+            + (stopped ? "\n" + problems.size() + " errors: reading stopped here" : ""));
+        this.problems = List.copyOf(problems);
+    }
+
+    /** {@return what is wrong, in the order of the file; never empty} */
+    public List<Problem> problems() {
+        return problems;
+    }
+}

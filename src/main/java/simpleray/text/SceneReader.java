@@ -1,0 +1,325 @@
+package simpleray.text;
+
+import java.io.Closeable;
+import java.io.File;
+import java.io.FileInputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+
+/**
+ * Reads values from a scene file (thesis, chapter 5). <em>Mutable</em>, for one thread.
+ *
+ * <p>Values are words between white space. {@code #} begins a comment that ends with its line. A line that begins with a letter
+ * is a heading: it is skipped, with a warning. Whoever reads says what it reads, {@link #enter(String, int) enter("object", 3)} and
+ * then {@link #readDouble(String) readDouble("radius")}, so that an error can say "expected object 3's radius".
+ *
+ * <p>The first error throws, unless {@link #tolerate} asked for more; then a bad number is noted, read as NaN, and reading goes on
+ * until {@link #complete}. An error that leaves no way to go on throws at once, with those noted before it.
+ */
+public final class SceneReader implements Closeable {
+    /** No more warnings than these are kept: a book read by mistake has a heading in every line. */
+    private static final int MOST_WARNINGS = 1000;
+    private static final int LONGEST_WORD = 60;
+
+    private final String file;
+    private final Words words;
+    private final List<Problem> errors = new ArrayList<>();
+    private final List<Problem> warnings = new ArrayList<>();
+    private final List<String> owners = new ArrayList<>();
+    private int mostErrors = 1;
+    private Words.Place last;
+    private Words.Place groupStart;
+
+    /**
+     * Opens a scene file.
+     *
+     * @param f the file, UTF-8; its path as given stands in messages
+     * @throws IOException if it cannot be opened
+     */
+    public SceneReader(File f) throws IOException {
+        this(new FileInputStream(f), f.getPath());
+    }
+
+    /**
+     * Creates a reader of a stream, which messages call {@code <stdin>}.
+     *
+     * @param is the stream, UTF-8
+     */
+    public SceneReader(InputStream is) {
+        this(is, "<stdin>");
+    }
+
+    /**
+     * Creates a reader of a stream.
+     *
+     * @param is the stream, UTF-8
+     * @param name what messages call the file
+     */
+    public SceneReader(InputStream is, String name) {
+        file = name;
+        words = new Words(is, this::skipped);
+    }
+
+    /**
+     * Makes errors wait: a bad number is noted and reading goes on, until there are this many.
+     *
+     * @param most how many errors end the reading, 1 or more
+     */
+    public void tolerate(int most) {
+        mostErrors = most;
+    }
+
+    /**
+     * Says what the next values belong to, until {@link #leave}: "object" and 3 give "object 3's …".
+     *
+     * @param name the thing's name
+     * @param number its number, from 1
+     */
+    public void enter(String name, int number) {
+        owners.add(name + ' ' + number + "'s");
+    }
+
+    /**
+     * Says what the next values belong to, until {@link #leave}.
+     *
+     * @param name the thing's name, as it stands before "red" or "x"
+     */
+    public void enter(String name) {
+        owners.add(name);
+    }
+
+    /** Ends what the latest {@code enter} began. */
+    public void leave() {
+        owners.remove(owners.size() - 1);
+    }
+
+    /**
+     * Reads a character: the next that is neither white space nor comment.
+     *
+     * @return the character
+     * @throws IOException at the end of the file, or if it cannot be read
+     */
+    public char readChar() throws IOException {
+        require(null, "a character");
+        return words.takeChar();
+    }
+
+    /**
+     * Reads a number.
+     *
+     * @return the number, finite
+     * @throws IOException if the next word is no number, or the file cannot be read
+     */
+    public double readDouble() throws IOException {
+        return readDouble("a number");
+    }
+
+    /**
+     * Reads a number.
+     *
+     * @param field what it is, for the message
+     * @return the number, finite; NaN if it was bad and that was {@link #tolerate tolerated}
+     * @throws IOException if the next word is no number, or the file cannot be read
+     */
+    public double readDouble(String field) throws IOException {
+        double value = Numbers.parseDouble(word(field));
+        if (Double.isNaN(value)) {
+            reject(field);
+        }
+        return value;
+    }
+
+    /**
+     * Reads a number of single precision.
+     *
+     * @return the float nearest to the number, finite; NaN if it was bad and that was {@link #tolerate tolerated}
+     * @throws IOException if the next word is no number, or the file cannot be read
+     */
+    public float readFloat() throws IOException {
+        float value = Numbers.parseFloat(word("a number"));
+        if (Float.isNaN(value)) {
+            reject("a number");
+        }
+        return value;
+    }
+
+    /**
+     * Reads an integer.
+     *
+     * @return the integer
+     * @throws IOException if the next word is no integer of that range, or the file cannot be read
+     */
+    public int readInt() throws IOException {
+        return readInt("an integer", Integer.MIN_VALUE);
+    }
+
+    /**
+     * Reads a count or code, on which the reading of all that follows depends: a bad one is never tolerated.
+     *
+     * @param field what it is, for the message
+     * @param least the smallest integer allowed
+     * @return the integer
+     * @throws IOException if the next word is no such integer, or the file cannot be read
+     */
+    public int readInt(String field, int least) throws IOException {
+        return (int) readInteger(field, least, Integer.MAX_VALUE);
+    }
+
+    /**
+     * Reads a long integer.
+     *
+     * @return the integer
+     * @throws IOException if the next word is no integer of that range, or the file cannot be read
+     */
+    public long readLong() throws IOException {
+        return readInteger("an integer", Long.MIN_VALUE, Long.MAX_VALUE);
+    }
+
+    private long readInteger(String field, long least, long most) throws IOException {
+        Long value = Numbers.parseInteger(word(field), least, most);
+        if (value == null) {
+            throw stop(field);
+        }
+        return value;
+    }
+
+    /**
+     * Tells whether only white space, comments and headings are left.
+     *
+     * @return true at the end of the file
+     * @throws IOException if the file cannot be read
+     */
+    public boolean eof() throws IOException {
+        return !words.skip(Set.of());
+    }
+
+    /**
+     * Refuses keywords that are known to mean something, but not to this program: they are no headings to be skipped.
+     *
+     * @param keywords the keywords
+     * @param wanted what was expected if one comes next
+     * @throws IOException if one does, or the file cannot be read
+     */
+    public void refuse(Set<String> keywords, String wanted) throws IOException {
+        if (words.skip(keywords) && keywords.contains(words.peek())) {
+            last = words.place();
+            throw stop(wanted);
+        }
+    }
+
+    /** Begins a group: the values read from here on may be rejected together. */
+    public void group() {
+        groupStart = null;
+    }
+
+    /**
+     * Notes that the value just read is out of its range.
+     *
+     * @param wanted what was expected instead
+     * @throws SceneFormatException if that is one error too many
+     */
+    public void reject(String wanted) throws SceneFormatException {
+        note(last, wanted, quoted(last.word()));
+    }
+
+    /**
+     * Notes that the values read since {@link #group} make no sense together; the place is the first one's.
+     *
+     * @param wanted what was expected instead
+     * @throws SceneFormatException if that is one error too many
+     */
+    public void rejectGroup(String wanted) throws SceneFormatException {
+        boolean oneLine = groupStart.line() == last.line();
+        note(groupStart, wanted, quoted(oneLine ? last.source().substring(groupStart.at(), last.end()) : groupStart.word()));
+    }
+
+    /**
+     * Notes that the value just read makes no sense, and that nothing after it can be understood for this.
+     *
+     * @param wanted what was expected instead
+     * @return the exception to throw, with all errors so far
+     */
+    public SceneFormatException stop(String wanted) {
+        add(last, wanted, quoted(last.word()));
+        return new SceneFormatException(errors, false);
+    }
+
+    /**
+     * Requires that nothing is left but comments and headings, and that no error was noted.
+     *
+     * @param wanted what was expected if something is left
+     * @throws IOException if an error was noted or something is left, or the file cannot be read
+     */
+    public void complete(String wanted) throws IOException {
+        if (words.skip(Set.of())) {
+            last = words.place();
+            throw stop(wanted);
+        }
+        if (!errors.isEmpty()) {
+            throw new SceneFormatException(errors, false);
+        }
+    }
+
+    /** {@return the warnings so far, in the order of the file; the first thousand of them} */
+    public List<Problem> warnings() {
+        return List.copyOf(warnings);
+    }
+
+    /**
+     * Closes the file when finished.
+     *
+     * @throws IOException if that fails
+     */
+    @Override
+    public void close() throws IOException {
+        words.close();
+    }
+
+    private String word(String field) throws IOException {
+        require(Set.of(), field);
+        last = words.place();
+        if (groupStart == null) {
+            groupStart = last;
+        }
+        return words.take();
+    }
+
+    private void require(Set<String> keywords, String field) throws IOException {
+        if (!words.skip(keywords)) {
+            add(words.place(), field, "the end of the file");
+            throw new SceneFormatException(errors, false);
+        }
+    }
+
+    private void note(Words.Place place, String wanted, String found) throws SceneFormatException {
+        add(place, wanted, found);
+        if (errors.size() >= mostErrors) {
+            throw new SceneFormatException(errors, mostErrors > 1);
+        }
+    }
+
+    private void add(Words.Place place, String wanted, String found) {
+        String owner = owners.isEmpty() ? "" : String.join(" ", owners) + ' ';
+        errors.add(problem(place, true, "expected " + owner + wanted + ", found " + found));
+    }
+
+    private void skipped(Words.Place place) {
+        if (warnings.size() < MOST_WARNINGS) {
+            String text = quoted(place.source().substring(place.at()).strip());
+            warnings.add(problem(place, false, "expected a value or a comment, found the heading " + text + ", which is skipped"));
+        }
+    }
+
+    private Problem problem(Words.Place place, boolean error, String message) {
+        return new Problem(file, place.line(), place.column(), error, message, place.source());
+    }
+
+    private static String quoted(String word) {
+        int length = word.codePointCount(0, word.length());
+        String shown = length <= LONGEST_WORD ? word : word.substring(0, word.offsetByCodePoints(0, LONGEST_WORD)) + "...";
+        return '\'' + Problem.printable(shown) + '\'';
+    }
+}

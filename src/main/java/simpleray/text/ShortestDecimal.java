@@ -1,0 +1,86 @@
+package simpleray.text;
+
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.math.RoundingMode;
+import java.util.function.Predicate;
+
+/**
+ * The shortest decimal that reads back as the same number, in the notation of {@link Double#toString(double)} since JDK 19
+ * (Raffaello Giulietti, "The Schubfach way to render doubles", 2020). On older runtimes, whose {@code toString} is at times
+ * longer, it is found here by trying one digit after another.
+ */
+final class ShortestDecimal {
+    private static final boolean PLATFORM_IS_SHORTEST = Runtime.version().feature() >= 19;
+    /** No double needs more digits than these to be told from its neighbours. */
+    private static final int DOUBLE_DIGITS = 17;
+    private static final int FLOAT_DIGITS = 9;
+
+    private ShortestDecimal() {
+    }
+
+    static String of(double d) {
+        return PLATFORM_IS_SHORTEST ? Double.toString(d) : search(d);
+    }
+
+    static String of(float f) {
+        return PLATFORM_IS_SHORTEST ? Float.toString(f) : search(f);
+    }
+
+    /** {@return what {@link Double#toString(double)} gives since JDK 19} */
+    static String search(double d) {
+        if (d == 0 || Double.isNaN(d) || Double.isInfinite(d)) {
+            return Double.toString(d);
+        }
+        double size = Math.abs(d);
+        return (d < 0 ? "-" : "") + search(new BigDecimal(size), DOUBLE_DIGITS, c -> Double.parseDouble(c.toString()) == size);
+    }
+
+    /** {@return what {@link Float#toString(float)} gives since JDK 19} */
+    static String search(float f) {
+        if (f == 0 || Float.isNaN(f) || Float.isInfinite(f)) {
+            return Float.toString(f);
+        }
+        float size = Math.abs(f);
+        return (f < 0 ? "-" : "") + search(new BigDecimal(size), FLOAT_DIGITS, c -> Float.parseFloat(c.toString()) == size);
+    }
+
+    /** Tries two digits first: Java's notation always shows two, and takes the nearest such number. */
+    private static String search(BigDecimal exact, int most, Predicate<BigDecimal> readsBack) {
+        for (int digits = 2; digits < most; digits++) {
+            BigDecimal nearest = exact.round(new MathContext(digits, RoundingMode.HALF_EVEN));
+            if (readsBack.test(nearest)) {
+                return notation(nearest);
+            }
+            BigDecimal other = other(exact, nearest, digits);
+            if (readsBack.test(other)) {
+                return notation(other);
+            }
+        }
+        return notation(exact.round(new MathContext(most, RoundingMode.HALF_EVEN)));
+    }
+
+    /**
+     * {@return the neighbour of that many digits on the other side of the exact value} At a power of two the numbers that read
+     * back as the same double reach further up than down, so that the nearest may miss and this one hit.
+     */
+    private static BigDecimal other(BigDecimal exact, BigDecimal nearest, int digits) {
+        RoundingMode side = nearest.compareTo(exact) > 0 ? RoundingMode.FLOOR : RoundingMode.CEILING;
+        return exact.round(new MathContext(digits, side));
+    }
+
+    /** {@return the positive decimal in Java's notation: plain from 1.0E-3 to below 1.0E7, else with an exponent} */
+    private static String notation(BigDecimal value) {
+        BigDecimal v = value.stripTrailingZeros();
+        String digits = v.unscaledValue().toString();
+        int point = digits.length() - v.scale();              // value = 0.DIGITS × 10^point
+        if (point > -3 && point <= 0) {
+            return "0." + "0".repeat(-point) + digits;
+        }
+        if (point > 0 && point <= 7) {
+            String padded = digits + "0".repeat(Math.max(0, point + 1 - digits.length()));
+            return padded.substring(0, point) + '.' + padded.substring(point);
+        }
+        return digits.charAt(0) + "." + (digits.length() > 1 ? digits.substring(1) : "0") + 'E' + (point - 1);
+    }
+}

@@ -1,0 +1,6 @@
+/**
+ * Words and numbers of a scene file, with their positions. This room knows no scene: it lies lowest because every class of the
+ * thesis (chapter 5) reads itself from a {@link simpleray.text.SceneReader} and writes itself to a
+ * {@link simpleray.text.SceneWriter}.
+ */
+package simpleray.text;
