@@ -51,7 +51,18 @@ public final class Progress {
      * @return seconds
      */
     public double elapsed(long now) {
-        return (now - start) / SECOND;
+        return seconds(start, now);
+    }
+
+    /**
+     * Tells the time between two moments.
+     *
+     * @param from the earlier, in nanoseconds of {@link System#nanoTime}
+     * @param to the later
+     * @return seconds
+     */
+    public static double seconds(long from, long to) {
+        return (to - from) / SECOND;
     }
 
     /**

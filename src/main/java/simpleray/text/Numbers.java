@@ -1,12 +1,20 @@
 package simpleray.text;
 
-/** What counts as a number in a scene file: plain or exponent decimals, no NaN, Infinity, hex floats or suffixes. */
-final class Numbers {
+/**
+ * What counts as a number, in a scene file and on the command line: decimals, plain or with an exponent; no NaN, Infinity, hex
+ * floats or suffixes.
+ */
+public final class Numbers {
     private Numbers() {
     }
 
-    /** {@return the finite double that the word means, or NaN if it means none} */
-    static double parseDouble(String word) {
+    /**
+     * Reads a number.
+     *
+     * @param word the word
+     * @return the finite double that it means, or NaN if it means none
+     */
+    public static double parseDouble(String word) {
         double value = isDecimal(word) ? Double.parseDouble(word) : Double.NaN;
         return Double.isInfinite(value) ? Double.NaN : value;
     }
@@ -17,8 +25,15 @@ final class Numbers {
         return Float.isInfinite(value) ? Float.NaN : value;
     }
 
-    /** {@return the integer from {@code least} to {@code most} that the word means, or null if it means none} */
-    static Long parseInteger(String word, long least, long most) {
+    /**
+     * Reads an integer.
+     *
+     * @param word the word
+     * @param least the smallest allowed
+     * @param most the largest allowed
+     * @return the integer that it means, or null if it means none in that range
+     */
+    public static Long parseInteger(String word, long least, long most) {
         if (digits(word, sign(word)) != word.length()) {
             return null;
         }

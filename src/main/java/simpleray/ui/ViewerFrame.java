@@ -1,0 +1,136 @@
+package simpleray.ui;
+
+import java.awt.BorderLayout;
+import java.awt.Dimension;
+import java.awt.Font;
+import java.awt.event.WindowAdapter;
+import java.awt.event.WindowEvent;
+import java.io.File;
+import javax.swing.JFrame;
+import javax.swing.JScrollPane;
+import javax.swing.JSplitPane;
+import javax.swing.JTextArea;
+import simpleray.render.RenderSettings;
+import simpleray.render.Stage;
+import simpleray.scene.SimpleCamera;
+
+/** The window: menus, the picture, problems of the scene if there are any, and a status bar. For the event thread, but for await. */
+final class ViewerFrame extends JFrame {
+    private static final long serialVersionUID = 1L;
+    private static final Dimension LEAST = new Dimension(760, 560);
+    private static final int MOST_PROBLEM_LINES = 6;
+
+    private final transient SimpleRay picture;
+    private final JScrollPane scroll;
+    private final JTextArea problems = new JTextArea();
+    private final JSplitPane split;
+    private final StatusBar status = new StatusBar();
+    private final transient ViewerMenus menus;
+    private final transient Runnable closed;
+
+    ViewerFrame(SceneSource source, SimpleCamera camera, RenderSettings settings, Runnable closed) {
+        this.closed = closed;
+        picture = new SimpleRay(source, camera, settings);
+        scroll = new JScrollPane(picture);
+        problems.setName("problems");
+        problems.getAccessibleContext().setAccessibleName("Problems of the scene");
+        problems.setEditable(false);
+        problems.setFont(new Font(Font.MONOSPACED, Font.PLAIN, problems.getFont().getSize()));
+        split = new JSplitPane(JSplitPane.VERTICAL_SPLIT, scroll, null);
+        split.setResizeWeight(1);
+        menus = new ViewerMenus(this);
+        setJMenuBar(menus.bar());
+        add(split, BorderLayout.CENTER);
+        add(status, BorderLayout.SOUTH);
+        setDefaultCloseOperation(DO_NOTHING_ON_CLOSE);
+        addWindowListener(new WindowAdapter() {
+            @Override
+            public void windowClosing(WindowEvent e) {
+                close();
+            }
+        });
+        picture.setListener(this::refresh);
+        pack();
+        Dimension screen = getToolkit().getScreenSize();
+        setMinimumSize(new Dimension(320, 240));
+        setSize(Math.min(screen.width, Math.max(LEAST.width, getWidth())), Math.min(screen.height, Math.max(LEAST.height, getHeight())));
+        setLocationByPlatform(true);
+        open(source);
+    }
+
+    SimpleRay picture() {
+        return picture;
+    }
+
+    /** Shows another scene. */
+    void open(SceneSource source) {
+        picture.setSource(source);
+        setTitle(source.name().isEmpty() ? "SimpleRay" : new File(source.name()).getName() + " - SimpleRay");
+        picture.init();
+        if (source == SceneSource.NONE) {
+            status.say("Open a scene file: File > Open\u2026");
+            refreshMenus();
+        } else {
+            picture.start();
+        }
+    }
+
+    /** Makes another picture of the scene. */
+    void setStage(Stage stage) {
+        picture.setSettings(picture.settings().with(stage));
+        render();
+    }
+
+    /** Reads the scene again and renders it. */
+    void render() {
+        if (picture.source() != SceneSource.NONE) {
+            picture.start();
+        }
+    }
+
+    void say(String message) {
+        status.say(message);
+    }
+
+    /** Closes the window and ends its threads. */
+    void close() {
+        picture.stop();
+        dispose();
+        closed.run();
+    }
+
+    /** Waits until the threads of the window have ended. */
+    void await() throws InterruptedException {
+        Rendering rendering = picture.rendering();
+        if (rendering != null) {
+            rendering.await();
+        }
+    }
+
+    private void refresh() {
+        Rendering rendering = picture.rendering();
+        status.show(rendering, picture.camera());
+        if (rendering.state() != Rendering.State.READING) {
+            showProblems(rendering.problems());
+        }
+        refreshMenus();
+    }
+
+    private void refreshMenus() {
+        menus.refresh(picture.isBusy(), picture.lastWhole() != null && !picture.isBusy(), picture.source() != SceneSource.NONE);
+    }
+
+    private void showProblems(String text) {
+        if (text.equals(problems.getText())) {
+            return;
+        }
+        problems.setText(text);
+        problems.setCaretPosition(0);
+        problems.setRows(Math.min(MOST_PROBLEM_LINES, problems.getLineCount()));
+        JScrollPane pane = text.isEmpty() ? null : new JScrollPane(problems);
+        split.setBottomComponent(pane);
+        if (pane != null) {
+            split.setDividerLocation(split.getHeight() - split.getDividerSize() - pane.getPreferredSize().height);
+        }
+    }
+}

@@ -1,0 +1,2 @@
+/** The window, and the only Swing. Threads hand finished rows over in a queue; what shows them is touched by the event thread alone. */
+package simpleray.ui;
