@@ -21,7 +21,6 @@ final class ViewerFrame extends JFrame {
     private static final int MOST_PROBLEM_LINES = 6;
 
     private final transient SimpleRay picture;
-    private final JScrollPane scroll;
     private final JTextArea problems = new JTextArea();
     private final JSplitPane split;
     private final StatusBar status = new StatusBar();
@@ -31,12 +30,11 @@ final class ViewerFrame extends JFrame {
     ViewerFrame(SceneSource source, SimpleCamera camera, RenderSettings settings, Runnable closed) {
         this.closed = closed;
         picture = new SimpleRay(source, camera, settings);
-        scroll = new JScrollPane(picture);
         problems.setName("problems");
         problems.getAccessibleContext().setAccessibleName("Problems of the scene");
         problems.setEditable(false);
         problems.setFont(new Font(Font.MONOSPACED, Font.PLAIN, problems.getFont().getSize()));
-        split = new JSplitPane(JSplitPane.VERTICAL_SPLIT, scroll, null);
+        split = new JSplitPane(JSplitPane.VERTICAL_SPLIT, new JScrollPane(picture), null);
         split.setResizeWeight(1);
         menus = new ViewerMenus(this);
         setJMenuBar(menus.bar());
@@ -55,6 +53,7 @@ final class ViewerFrame extends JFrame {
         setMinimumSize(new Dimension(320, 240));
         setSize(Math.min(screen.width, Math.max(LEAST.width, getWidth())), Math.min(screen.height, Math.max(LEAST.height, getHeight())));
         setLocationByPlatform(true);
+        picture.init();
         open(source);
     }
 
@@ -62,11 +61,10 @@ final class ViewerFrame extends JFrame {
         return picture;
     }
 
-    /** Shows another scene. */
+    /** Shows another scene. The picture of the one before stays until a first row is finished: the other may have errors. */
     void open(SceneSource source) {
         picture.setSource(source);
         setTitle(source.name().isEmpty() ? "SimpleRay" : new File(source.name()).getName() + " - SimpleRay");
-        picture.init();
         if (source == SceneSource.NONE) {
             status.say("Open a scene file: File > Open\u2026");
             refreshMenus();
