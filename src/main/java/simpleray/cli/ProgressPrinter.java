@@ -26,12 +26,20 @@ final class ProgressPrinter implements RenderListener {
     enum Style {
         /** A bar on a terminal, nothing elsewhere. */
         AUTO,
-        /** One line that changes. */
+        /** One line that changes, which only a terminal can show; plain elsewhere. */
         BAR,
         /** A line for every tenth. */
         PLAIN,
         /** Not at all. */
         NONE;
+
+        private Style shown(boolean terminal) {
+            return switch (this) {
+                case AUTO -> terminal ? BAR : NONE;
+                case BAR -> terminal ? BAR : PLAIN;
+                default -> this;
+            };
+        }
 
         @Override
         public String toString() {
@@ -42,7 +50,7 @@ final class ProgressPrinter implements RenderListener {
     ProgressPrinter(Progress progress, PrintStream err, Style style) {
         this.progress = progress;
         this.err = err;
-        this.style = style != Style.AUTO ? style : isTerminal() ? Style.BAR : Style.NONE;
+        this.style = style.shown(isTerminal());
         shown = System.nanoTime();
     }
 

@@ -56,7 +56,8 @@ final class RenderCommand implements Callable<Integer> {
     private Integer threads;
 
     @Option(names = "--progress", paramLabel = "HOW", defaultValue = "auto",
-        description = "${COMPLETION-CANDIDATES} (default: ${DEFAULT-VALUE}: a bar if standard error is a terminal, else none).")
+        description = "${COMPLETION-CANDIDATES} (default: ${DEFAULT-VALUE}: a bar if standard error is a terminal, else "
+            + "none); without a terminal, bar is plain.")
     private ProgressPrinter.Style progress;
 
     @Option(names = {"-q", "--quiet"}, description = "Say nothing but errors.")

@@ -26,15 +26,23 @@ interface Kind<T> {
     String name();
 
     /**
-     * Reads a code.
+     * Words what a code is expected to be: "type (0 sphere, 1 plane; 9 objects announced)".
      *
-     * @param announced how many there are to be, for the message: "9 objects"
-     * @return a new thing of that kind, not read yet
+     * @param announced what the file announced, "9 objects"
      */
-    static <T> T read(SceneReader is, Kind<T>[] kinds, String announced) throws IOException {
+    static String field(Kind<?>[] kinds, String announced) {
         String known = Arrays.stream(kinds).map(k -> k.code() + " " + k.name().toLowerCase(Locale.ROOT).replace('_', ' '))
             .collect(Collectors.joining(", "));
-        String field = "type (" + known + "; " + announced + " announced)";
+        return "type (" + known + "; " + announced + " announced)";
+    }
+
+    /**
+     * Reads a code.
+     *
+     * @param field what {@link #field} said, for the message
+     * @return a new thing of that kind, not read yet
+     */
+    static <T> T read(SceneReader is, Kind<T>[] kinds, String field) throws IOException {
         int code = is.readInt(field, 0);
         for (Kind<T> kind : kinds) {
             if (kind.code() == code) {

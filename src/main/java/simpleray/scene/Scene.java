@@ -245,9 +245,11 @@ public final class Scene {
         is.tolerate(MOST_ERRORS);
         int n = is.readInt("the number of objects", 0);
         List<Object> newObjects = new ArrayList<>();          // grows as objects come: n may be a lie
+        ObjectKind[] objectKinds = ObjectKind.values();
+        String objectType = Kind.field(objectKinds, n + " objects");
         for (int i = 1; i <= n; i++) {
             is.enter("object", i);
-            Object object = Kind.read(is, ObjectKind.values(), n + " objects are");
+            Object object = Kind.read(is, objectKinds, objectType);
             object.read(is);
             newObjects.add(object);
             is.leave();
@@ -258,9 +260,11 @@ public final class Scene {
         is.leave();
         int m = is.readInt("the number of lights (after " + n + " objects and the ambient light)", 0);
         List<Light> newLights = new ArrayList<>();
+        LightKind[] lightKinds = LightKind.values();
+        String lightType = Kind.field(lightKinds, m + " lights");
         for (int i = 1; i <= m; i++) {
             is.enter("light", i);
-            Light light = Kind.read(is, LightKind.values(), m + " lights are");
+            Light light = Kind.read(is, lightKinds, lightType);
             light.read(is);
             newLights.add(light);
             is.leave();
