@@ -150,7 +150,8 @@ final class RenderCommand implements Callable<Integer> {
         long free = memory.maxMemory() - (memory.totalMemory() - memory.freeMemory());
         if (needed > free) {
             throw new Failure(ExitCode.NO_MEMORY, String.format(Locale.ROOT,
-                "simpleray: a picture of %dx%d needs %d MiB of memory, and Java has %d MiB left: make it smaller, or give java more by -Xmx",
+                "simpleray: a picture of %dx%d needs %d MiB of memory, and Java has %d MiB left: make it smaller, or give java more "
+                    + "by -Xmx",
                 camera.width(), camera.height(), needed >> 20, free >> 20));
         }
     }

@@ -8,7 +8,7 @@ import simpleray.text.SceneReader;
 import simpleray.text.SceneWriter;
 
 /** What each kind of light extends (thesis, chapter 5). */
-public abstract class Light {
+public abstract class Light implements SceneElement {
     /** The colour of the light, LC; it does not fall off with distance. */
     public Colour intensity = new Colour(1, 1, 1);
 
@@ -31,6 +31,7 @@ public abstract class Light {
      * @param os where to
      * @throws IOException if it cannot be written
      */
+    @Override
     public abstract void print(SceneWriter os) throws IOException;
 
     /**
@@ -39,6 +40,7 @@ public abstract class Light {
      * @param is where from
      * @throws IOException if it is not there or makes no light
      */
+    @Override
     public abstract void read(SceneReader is) throws IOException;
 
     /**
@@ -47,6 +49,7 @@ public abstract class Light {
      * @param os where to
      * @throws IOException if it cannot be written
      */
+    @Override
     public abstract void write(SceneWriter os) throws IOException;
 
     /**

@@ -8,7 +8,7 @@ import simpleray.text.SceneReader;
 import simpleray.text.SceneWriter;
 
 /** Something that a ray can hit (thesis, chapter 5). Not {@link java.lang.Object}, which each class extends anyway. */
-public abstract class Object {
+public abstract class Object implements SceneElement {
     /** What {@link #intersect} returns for a miss. */
     public static final double MISS = -1;
     /** Hits at this t or below are no hits, so that a ray does not hit the surface it starts on. */
@@ -48,6 +48,7 @@ public abstract class Object {
      * @param os where to
      * @throws IOException if it cannot be written
      */
+    @Override
     public abstract void print(SceneWriter os) throws IOException;
 
     /**
@@ -56,6 +57,7 @@ public abstract class Object {
      * @param is where from
      * @throws IOException if it is not there or makes no object
      */
+    @Override
     public abstract void read(SceneReader is) throws IOException;
 
     /**
@@ -64,6 +66,7 @@ public abstract class Object {
      * @param os where to
      * @throws IOException if it cannot be written
      */
+    @Override
     public abstract void write(SceneWriter os) throws IOException;
 
     /**

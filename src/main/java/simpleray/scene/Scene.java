@@ -130,7 +130,7 @@ public final class Scene {
         colour.reset();
         Object nearest = null;
         double distance = Double.POSITIVE_INFINITY;
-        for (Object object : objects) {
+        for (Object object : all(objects, numberObjects)) {
             double t = object.intersect(ray);
             if (t >= 0 && t < distance) {                     // of two at the same t the first one stays
                 nearest = object;
@@ -167,7 +167,7 @@ public final class Scene {
         Colour diffuse = new Colour();
         Colour specular = new Colour();
         Vector towards = new Vector();
-        for (Light light : lights) {
+        for (Light light : all(lights, numberLights)) {
             double distance = light.towards(point, towards);
             double facing = normal.dot(towards);
             if (facing <= 0 || terms.shadows() && isShadowed(new Ray(point, towards), distance)) {
@@ -195,7 +195,7 @@ public final class Scene {
 
     /** Tells whether anything stands between a point and a light at this distance. */
     private boolean isShadowed(Ray towards, double distance) {
-        for (Object object : objects) {
+        for (Object object : all(objects, numberObjects)) {
             double t = object.intersect(towards);
             if (t >= 0 && t < distance) {
                 return true;
@@ -221,7 +221,7 @@ public final class Scene {
         os.writeString("Scene has " + numberObjects + " objects\n");
         os.writeString("Scene has " + numberLights + " lights\n");
         os.writeString("Number of objects " + numberObjects + '\n');
-        for (Object object : objects) {
+        for (Object object : all(objects, numberObjects)) {
             object.print(os);
             os.writeNewline();
         }
@@ -229,7 +229,7 @@ public final class Scene {
         ambient.write(os);
         os.writeNewline();
         os.writeString("Number of lights " + numberLights + '\n');
-        for (Light light : lights) {
+        for (Light light : all(lights, numberLights)) {
             light.print(os);
             os.writeNewline();
         }
@@ -244,31 +244,13 @@ public final class Scene {
     public void read(SceneReader is) throws IOException {
         is.tolerate(MOST_ERRORS);
         int n = is.readInt("the number of objects", 0);
-        List<Object> newObjects = new ArrayList<>();          // grows as objects come: n may be a lie
-        ObjectKind[] objectKinds = ObjectKind.values();
-        String objectType = Kind.field(objectKinds, n + " objects");
-        for (int i = 1; i <= n; i++) {
-            is.enter("object", i);
-            Object object = Kind.read(is, objectKinds, objectType);
-            object.read(is);
-            newObjects.add(object);
-            is.leave();
-        }
+        List<Object> newObjects = ObjectKind.TABLE.readAll(is, n);
         is.enter("the scene's ambient");
         Colour newAmbient = new Colour();
         newAmbient.read(is);
         is.leave();
         int m = is.readInt("the number of lights (after " + n + " objects and the ambient light)", 0);
-        List<Light> newLights = new ArrayList<>();
-        LightKind[] lightKinds = LightKind.values();
-        String lightType = Kind.field(lightKinds, m + " lights");
-        for (int i = 1; i <= m; i++) {
-            is.enter("light", i);
-            Light light = Kind.read(is, lightKinds, lightType);
-            light.read(is);
-            newLights.add(light);
-            is.leave();
-        }
+        List<Light> newLights = LightKind.TABLE.readAll(is, m);
         String end = "the end of the scene (after " + n + " objects and " + m + " lights)";
         is.refuse(KEYWORDS, end);
         is.complete(end);
@@ -292,23 +274,13 @@ public final class Scene {
         os.writeString("# number of objects\n");
         os.writeInt(numberObjects);
         os.writeNewline();
-        for (Object object : objects) {
-            Kind.write(os, ObjectKind.values(), object);
-            os.writeString("  ");
-            object.write(os);
-            os.writeNewline();
-        }
+        ObjectKind.TABLE.writeAll(os, all(objects, numberObjects));
         os.writeString("# ambient light\n");
         ambient.write(os);
         os.writeString("\n# number of lights\n");
         os.writeInt(numberLights);
         os.writeNewline();
-        for (Light light : lights) {
-            Kind.write(os, LightKind.values(), light);
-            os.writeString("  ");
-            light.write(os);
-            os.writeNewline();
-        }
+        LightKind.TABLE.writeAll(os, all(lights, numberLights));
     }
 
     private static int resize(List<?> list, int n) {
@@ -319,6 +291,14 @@ public final class Scene {
             list.subList(n, list.size()).clear();
         }
         return n;
+    }
+
+    /** {@return the list} A picture without the things that were announced and not set would be a wrong one. */
+    private static <T> List<T> all(List<T> list, int n) {
+        if (list.size() != n) {
+            throw new IllegalStateException("of " + n + " places in the scene only " + list.size() + " are set");
+        }
+        return list;
     }
 
     private static <T> void put(List<T> list, int i, T thing) {
