@@ -13,6 +13,7 @@ import java.util.Locale;
 import picocli.AutoComplete.GenerateCompletion;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.HelpCommand;
 import picocli.CommandLine.IVersionProvider;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.TypeConversionException;
@@ -31,7 +32,8 @@ import simpleray.render.Stage;
     exitCodeList = {"0:done", "2:wrong usage", "65:the scene has errors", "66:the scene cannot be read",
         "69:no display for a window", "70:internal error", "71:too large for the memory", "73:the output cannot be created",
         "74:the output cannot be written"},
-    subcommands = {ViewCommand.class, RenderCommand.class, PrintCommand.class, CheckCommand.class, GenerateCompletion.class})
+    subcommands = {ViewCommand.class, RenderCommand.class, PrintCommand.class, CheckCommand.class, GenerateCompletion.class,
+        HelpCommand.class})
 public final class Main implements Runnable {
     private final InputStream in;
     private final OutputStream out;
@@ -64,6 +66,7 @@ public final class Main implements Runnable {
     public static int run(String[] args, InputStream in, OutputStream out, PrintStream err) {
         CommandLine line = new CommandLine(new Main(in, out, err));
         line.setOut(new PrintWriter(out, true)).setErr(new PrintWriter(err, true));
+        line.setExpandAtFiles(false);                         // a file name may begin with @
         line.registerConverter(Stage.class, word -> constant(Stage.values(), word));
         line.registerConverter(ProgressPrinter.Style.class, word -> constant(ProgressPrinter.Style.values(), word));
         line.getSubcommands().get("generate-completion").getCommandSpec().usageMessage().description(
