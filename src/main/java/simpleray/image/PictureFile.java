@@ -4,6 +4,7 @@ import java.io.BufferedOutputStream;
 import java.io.Closeable;
 import java.io.IOException;
 import java.io.OutputStream;
+import java.nio.file.AccessDeniedException;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -38,17 +39,34 @@ public final class PictureFile implements Closeable {
         if (there && !Files.isWritable(path)) {
             throw new FileSystemException(path.toString(), null, "is write-protected");
         }
-        target = there ? path.toRealPath() : path.toAbsolutePath();
+        target = there ? path.toRealPath() : followed(path.toAbsolutePath());
         Path folder = target.getParent();
         if (folder == null || !Files.isDirectory(folder)) {
-            throw new FileSystemException(path.toString(), null, "there is no folder " + path.toAbsolutePath().getParent());
+            throw new FileSystemException(path.toString(), null, "there is no folder " + folder);
         }
         part = there && !Files.isRegularFile(target) ? target
-            : folder.resolve("." + target.getFileName() + '.' + ProcessHandle.current().pid() + '-' + COUNT.incrementAndGet() + ".part");
-        out = new BufferedOutputStream(part.equals(target)
-            ? Files.newOutputStream(target) : Files.newOutputStream(part, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE));
-        if (!part.equals(target)) {
+            : folder.resolve(".simpleray-" + ProcessHandle.current().pid() + '-' + COUNT.incrementAndGet() + ".part");
+        out = new BufferedOutputStream(open(path));
+    }
+
+    /** {@return where a link leads that leads to no file yet; the path itself if it is no link} */
+    private static Path followed(Path path) throws IOException {
+        return Files.isSymbolicLink(path) ? path.resolveSibling(Files.readSymbolicLink(path)).toAbsolutePath() : path;
+    }
+
+    private OutputStream open(Path path) throws IOException {
+        if (part.equals(target)) {
+            return Files.newOutputStream(target);
+        }
+        try {
+            OutputStream opened = Files.newOutputStream(part, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
             part.toFile().deleteOnExit();                     // should the program be told to stop before close
+            if (Files.exists(target) && part.getFileSystem().supportedFileAttributeViews().contains("posix")) {
+                Files.setPosixFilePermissions(part, Files.getPosixFilePermissions(target));
+            }
+            return opened;
+        } catch (AccessDeniedException e) {
+            throw (IOException) new FileSystemException(path.toString(), null, "its folder is write-protected").initCause(e);
         }
     }
 

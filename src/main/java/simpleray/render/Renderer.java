@@ -58,8 +58,15 @@ public final class Renderer {
         for (int i = 0; i < threads; i++) {
             Thread worker = new Thread(null, () -> work(listener), "simpleray-worker-" + (i + 1), STACK);
             worker.setDaemon(true);
+            try {
+                worker.start();
+            } catch (OutOfMemoryError e) {                    // the system grants no more threads: fewer do the same work
+                if (workers.isEmpty()) {
+                    throw e;
+                }
+                break;
+            }
             workers.add(worker);
-            worker.start();
         }
         workers.forEach(this::await);
         if (fault.get() instanceof Error error) {

@@ -104,6 +104,7 @@ public final class SceneReader implements Closeable {
      */
     public char readChar() throws IOException {
         require(null, "a character");
+        last = words.place();
         return words.takeChar();
     }
 

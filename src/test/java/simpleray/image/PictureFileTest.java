@@ -2,21 +2,15 @@ package simpleray.image;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
-import static org.junit.jupiter.api.Assumptions.assumeFalse;
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
-import java.nio.file.FileSystemException;
 import java.nio.file.Files;
-import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.concurrent.CompletableFuture;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 class PictureFileTest {
@@ -97,78 +91,6 @@ class PictureFileTest {
         assertThat(names()).containsExactly("picture.png");
     }
 
-    @Test
-    void aMissingFolderIsAnError() {
-        Path lost = folder.resolve("none").resolve("picture.png");
-        assertThatThrownBy(() -> new PictureFile(lost)).isInstanceOf(FileSystemException.class)
-            .hasMessage(lost + ": there is no folder " + folder.resolve("none"));
-        assertThat(folder.resolve("none")).doesNotExist();
-    }
-
-    @Test
-    void aFolderIsNoTarget() throws IOException {
-        Files.createDirectory(target);
-        assertThatThrownBy(() -> new PictureFile(target)).isInstanceOf(FileSystemException.class)
-            .hasMessage(target + ": is a folder");
-        assertThat(target).isEmptyDirectory();
-    }
-
-    @Test
-    void aSymbolicLinkStaysAndItsFileIsReplaced() throws IOException {
-        Path real = Files.createFile(Files.createDirectory(folder.resolve("elsewhere")).resolve("real.png"));
-        link(real);
-
-        write(target, 0.5);
-
-        assertThat(target).isSymbolicLink();
-        assertThat(Files.readAllBytes(real)).isEqualTo(png(0.5));
-        assertThat(names()).containsExactly("elsewhere", "picture.png");
-    }
-
-    @Test
-    void permissionsAreThoseOfAnyNewFile() throws IOException {
-        assumeTrue(Files.getFileStore(folder).supportsFileAttributeView("posix"), "no POSIX permissions here");
-        Path usual = Files.createFile(folder.resolve("usual"));
-
-        write(target, 0.5);
-
-        assertThat(Files.getPosixFilePermissions(target)).isEqualTo(Files.getPosixFilePermissions(usual));
-    }
-
-    @Test
-    void aWriteProtectedFileIsRefused() throws IOException {
-        Files.createFile(target);
-        assumeTrue(target.toFile().setReadOnly(), "nothing can be write-protected here");
-        assumeFalse(Files.isWritable(target), "nothing is write-protected for root");
-
-        assertThatThrownBy(() -> new PictureFile(target)).isInstanceOf(FileSystemException.class)
-            .hasMessage(target + ": is write-protected");
-        assertThat(names()).containsExactly("picture.png");
-    }
-
-    /** A pipe stands for all that is there and is no file, such as /dev/stdout. */
-    @Test
-    @Timeout(value = 60, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
-    void aPipeIsWrittenToAsItIs() throws Exception {
-        assumeTrue(Files.isExecutable(Path.of("/usr/bin/mkfifo")), "no mkfifo here");
-        assertThat(new ProcessBuilder("/usr/bin/mkfifo", target.toString()).start().waitFor()).isZero();
-        CompletableFuture<byte[]> received = CompletableFuture.supplyAsync(() -> contentOf(target));
-
-        write(target, 0.5);
-
-        assertThat(received.get()).isEqualTo(png(0.5));
-        assertThat(Files.isRegularFile(target, LinkOption.NOFOLLOW_LINKS)).isFalse();
-        assertThat(names()).containsExactly("picture.png");
-    }
-
-    private void link(Path real) throws IOException {
-        try {
-            Files.createSymbolicLink(target, real);
-        } catch (FileSystemException | UnsupportedOperationException e) {
-            assumeTrue(false, "no symbolic links here: " + e.getMessage());
-        }
-    }
-
     private List<String> names() throws IOException {
         try (Stream<Path> files = Files.list(folder)) {
             return files.map(file -> file.getFileName().toString()).sorted().collect(Collectors.toList());
@@ -183,13 +105,5 @@ class PictureFileTest {
 
     private static byte[] png(double light) throws IOException {
         return Pictures.png(Pictures.plain(2, 2, light));
-    }
-
-    private static byte[] contentOf(Path path) {
-        try {
-            return Files.readAllBytes(path);
-        } catch (IOException e) {
-            throw new IllegalStateException(e);
-        }
     }
 }

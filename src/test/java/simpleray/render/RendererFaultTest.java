@@ -1,0 +1,69 @@
+package simpleray.render;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.concurrent.atomic.AtomicReference;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import simpleray.scene.Object;
+import simpleray.scene.Scene;
+import simpleray.scene.SimpleCamera;
+
+/** Renderings in which something throws. */
+@Timeout(value = 60, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
+class RendererFaultTest {
+    @ParameterizedTest
+    @ValueSource(ints = {1, 3})
+    void whatAnObjectThrowsIsThrownWhenAllThreadsHaveEnded(int threads) {
+        IllegalStateException fault = new IllegalStateException("a fault of this object");
+        AtomicReference<Thread> thrower = new AtomicReference<>();
+        Obstacle obstacle = new Obstacle(ray -> {
+            if (thrower.compareAndSet(null, Thread.currentThread())) {
+                throw fault;
+            }
+            end(thrower.get());                               // whoever goes on after that has not been told to end
+            return Object.MISS;
+        });
+        Renderer renderer = new Renderer(obstacle.alone(), new SimpleCamera(1, 100), new RenderSettings(Stage.FINAL, 0, threads));
+
+        assertThatThrownBy(() -> renderer.render(RenderListener.NONE)).isSameAs(fault);
+
+        assertThat(obstacle.threads).isNotEmpty().noneMatch(Thread::isAlive);
+        for (int y = 0; y < 100; y++) {
+            assertThat(renderer.picture().row(y)).as("row " + y).isNull();
+        }
+    }
+
+    @Test
+    void soIsAnError() {
+        StackOverflowError fault = new StackOverflowError();
+        Obstacle obstacle = new Obstacle(ray -> {
+            throw fault;
+        });
+        Renderer renderer = new Renderer(obstacle.alone(), new SimpleCamera(10, 10), new RenderSettings());
+
+        assertThatThrownBy(() -> renderer.render(RenderListener.NONE)).isSameAs(fault);
+        assertThat(obstacle.threads).isNotEmpty().noneMatch(Thread::isAlive);
+    }
+
+    @Test
+    void soIsWhatAListenerThrows() {
+        IllegalStateException fault = new IllegalStateException("a fault of this listener");
+        Renderer renderer = new Renderer(new Scene(), new SimpleCamera(10, 10), new RenderSettings());
+
+        assertThatThrownBy(() -> renderer.render(y -> {
+            throw fault;
+        })).isSameAs(fault);
+    }
+
+    private static void end(Thread thread) {
+        try {
+            thread.join();
+        } catch (InterruptedException e) {
+            throw new IllegalStateException(e);
+        }
+    }
+}

@@ -1,0 +1,87 @@
+package simpleray.scene;
+
+import java.util.ArrayList;
+import java.util.List;
+import simpleray.math.Colour;
+import simpleray.math.Vector;
+
+/** All that a scene is made of, in one list: two scenes are equal bit for bit if their lists are, for boxed doubles compare bits. */
+final class SceneBits {
+    private final List<java.lang.Object> bits = new ArrayList<>();
+
+    private SceneBits() {
+    }
+
+    static List<java.lang.Object> of(Scene scene) {
+        SceneBits all = new SceneBits();
+        all.bits.add(scene.getNumberObjects());
+        for (int i = 0; i < scene.getNumberObjects(); i++) {
+            all.add(scene.getObject(i));
+        }
+        all.add(scene.ambient);
+        all.bits.add(scene.getNumberLights());
+        for (int i = 0; i < scene.getNumberLights(); i++) {
+            all.add(scene.getLight(i));
+        }
+        return all.bits;
+    }
+
+    static List<java.lang.Object> of(Object object) {
+        SceneBits all = new SceneBits();
+        all.add(object);
+        return all.bits;
+    }
+
+    static List<java.lang.Object> of(Light light) {
+        SceneBits all = new SceneBits();
+        all.add(light);
+        return all.bits;
+    }
+
+    static List<java.lang.Object> of(Material material) {
+        SceneBits all = new SceneBits();
+        all.add(material);
+        return all.bits;
+    }
+
+    private void add(Object object) {
+        bits.add(object.getClass());
+        if (object instanceof Sphere sphere) {
+            add(new Vector(sphere.centre));
+            bits.add(sphere.radius);
+        } else if (object instanceof Plane plane) {
+            add(plane.normal);
+            bits.add(plane.constant);
+        } else {
+            throw new IllegalArgumentException("no bits known of " + object.getClass());
+        }
+        add(object.surfaceMaterial);
+    }
+
+    private void add(Light light) {
+        bits.add(light.getClass());
+        add(light.intensity);
+        if (light instanceof PointLight point) {
+            add(new Vector(point.origin));
+        } else if (light instanceof DirectionalLight directional) {
+            add(directional.direction);
+        } else {
+            throw new IllegalArgumentException("no bits known of " + light.getClass());
+        }
+    }
+
+    private void add(Material material) {
+        add(material.ambient);
+        add(material.diffuse);
+        add(material.specular);
+        bits.add(material.shininess);
+    }
+
+    private void add(Colour c) {
+        bits.addAll(List.of(c.r, c.g, c.b));
+    }
+
+    private void add(Vector v) {
+        bits.addAll(List.of(v.x, v.y, v.z));
+    }
+}

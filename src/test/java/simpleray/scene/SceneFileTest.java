@@ -1,0 +1,67 @@
+package simpleray.scene;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.FileSystemException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import simpleray.text.Problem;
+import simpleray.text.SceneFormatException;
+
+class SceneFileTest {
+    private static final String LIT = "0\nambient colour\n0.5 0.5 0.5\n0\n";
+
+    @TempDir
+    private Path folder;
+
+    @Test
+    void aSceneComesWithTheWarningsOfItsFile() throws IOException {
+        Path path = Files.writeString(folder.resolve("a.scene"), LIT);
+
+        SceneFile file = SceneFile.read(path);
+
+        assertThat(file.scene().ambient).hasToString("(0.5,0.5,0.5)");
+        assertThat(file.warnings()).extracting(Problem::headline).containsExactly(path
+            + ":2:1: warning: expected a value or a comment, found the heading 'ambient colour', which is skipped");
+    }
+
+    @Test
+    void aSceneMayComeFromAStreamThatStaysOpen() throws IOException {
+        boolean[] closed = new boolean[1];
+        SceneFile file = SceneFile.read(new ByteArrayInputStream(LIT.getBytes(StandardCharsets.UTF_8)) {
+            @Override
+            public void close() {
+                closed[0] = true;
+            }
+        });
+
+        assertThat(file.scene().ambient).hasToString("(0.5,0.5,0.5)");
+        assertThat(file.warnings()).singleElement().extracting(Problem::file).isEqualTo("<stdin>");
+        assertThat(closed).containsExactly(false);
+    }
+
+    @Test
+    void aFileThatIsNoSceneSaysWhy() throws IOException {
+        Path path = Files.writeString(folder.resolve("a.scene"), "1\n5");
+
+        assertThatThrownBy(() -> SceneFile.read(path)).isInstanceOf(SceneFormatException.class).hasMessage(
+            path + ":2:1: error: expected object 1's type (0 sphere, 1 plane; 1 objects announced), found '5'\n5\n^");
+    }
+
+    @Test
+    void aMissingFileSaysSo() {
+        Path path = folder.resolve("none.scene");
+        assertThatThrownBy(() -> SceneFile.read(path)).isInstanceOf(FileSystemException.class).hasMessage(path + ": no such file");
+    }
+
+    @Test
+    void aFolderIsNoScene() {
+        assertThatThrownBy(() -> SceneFile.read(folder)).isInstanceOf(FileSystemException.class).hasMessage(folder + ": is a folder");
+    }
+}

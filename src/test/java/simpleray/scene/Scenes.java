@@ -1,0 +1,74 @@
+package simpleray.scene;
+
+import simpleray.math.Colour;
+import simpleray.math.Point;
+import simpleray.math.Ray;
+import simpleray.math.Vector;
+
+/** Small scenes and rays whose colours follow from arithmetic. */
+final class Scenes {
+    /** No shadows, no reflections. */
+    static final Terms LIGHTING = new Terms(true, true, true, false, false);
+
+    private Scenes() {
+    }
+
+    static Scene of(Object... objects) {
+        Scene scene = new Scene();
+        scene.setNumberObjects(objects.length);
+        for (int i = 0; i < objects.length; i++) {
+            scene.setObject(i, objects[i]);
+        }
+        return scene;
+    }
+
+    static void light(Scene scene, Light... lights) {
+        scene.setNumberLights(lights.length);
+        for (int i = 0; i < lights.length; i++) {
+            scene.setLight(i, lights[i]);
+        }
+    }
+
+    static Material material(Colour ambient, Colour diffuse, Colour specular, double shininess) {
+        Material material = new Material();
+        material.ambient = ambient;
+        material.diffuse = diffuse;
+        material.specular = specular;
+        material.shininess = shininess;
+        return material;
+    }
+
+    /** {@return a material that only shines of itself, where GA is 1} */
+    static Material glowing(double light) {
+        return material(grey(light), grey(0), grey(0), 0);
+    }
+
+    static Colour grey(double light) {
+        return new Colour(light, light, light);
+    }
+
+    /** {@return the plane at this z, its normal towards the viewer} */
+    static Plane wall(Material material, double z) {
+        return new Plane(material, new Vector(0, 0, 1), z);
+    }
+
+    static PointLight pointLight(double x, double y, double z) {
+        return new PointLight(new Point(x, y, z));
+    }
+
+    static Ray ray(double x, double y, double z, double dx, double dy, double dz) {
+        return new Ray(new Point(x, y, z), new Vector(dx, dy, dz));
+    }
+
+    /** {@return the ray from (0,0,2) straight ahead, down the z axis} */
+    static Ray ahead() {
+        return ray(0, 0, 2, 0, 0, -1);
+    }
+
+    /** {@return what the ray sees} */
+    static Colour seen(Scene scene, Ray ray, int depth, Terms terms) {
+        Colour colour = new Colour(7, 7, 7);
+        scene.intersect(ray, colour, depth, terms);
+        return colour;
+    }
+}
