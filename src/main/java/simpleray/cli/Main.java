@@ -65,7 +65,8 @@ public final class Main implements Runnable {
      */
     public static int run(String[] args, InputStream in, OutputStream out, PrintStream err) {
         CommandLine line = new CommandLine(new Main(in, out, err));
-        line.setOut(new PrintWriter(out, true)).setErr(new PrintWriter(err, true));
+        PrintWriter results = new PrintWriter(out, true);     // for help, version and completion; it notes errors and throws none
+        line.setOut(results).setErr(new PrintWriter(err, true));
         line.setExpandAtFiles(false);                         // a file name may begin with @
         line.registerConverter(Stage.class, word -> constant(Stage.values(), word));
         line.registerConverter(ProgressPrinter.Style.class, word -> constant(ProgressPrinter.Style.values(), word));
@@ -73,7 +74,19 @@ public final class Main implements Runnable {
             "Prints a script that completes simpleray's commands and options in bash and zsh: source <(simpleray generate-completion)");
         line.setParameterExceptionHandler((e, a) -> usage(e, err));
         line.setExecutionExceptionHandler((e, commandLine, result) -> report(e, commandLine, err));
-        return line.execute(withCommand(line, args));
+        try {
+            int exitCode = line.execute(withCommand(line, args));
+            if (results.checkError() && exitCode == ExitCode.DONE) {
+                err.println("simpleray: standard output cannot be written");
+                return ExitCode.WRITE_ERROR;
+            }
+            return exitCode;
+        } catch (OutOfMemoryError e) {
+            err.println("simpleray: the scene or the picture is too large for the memory: make it smaller, or give java more by -Xmx");
+            return ExitCode.NO_MEMORY;
+        } catch (Error e) {
+            return internal(e, err);
+        }
     }
 
     /** Puts {@code view} before a command line that begins with no command of ours. */
@@ -106,6 +119,10 @@ public final class Main implements Runnable {
         if (e instanceof ParameterException parameter) {
             return usage(parameter, err);
         }
+        return internal(e, err);
+    }
+
+    private static int internal(Throwable e, PrintStream err) {
         err.println("simpleray: internal error, which should not happen whatever the input: " + e);
         e.printStackTrace(err);
         return ExitCode.INTERNAL;

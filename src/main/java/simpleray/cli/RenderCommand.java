@@ -32,8 +32,6 @@ import simpleray.scene.SimpleCamera;
 final class RenderCommand implements Callable<Integer> {
     private static final Set<String> OTHER_FORMATS = Set.of("jpg", "jpeg", "gif", "bmp", "tif", "tiff", "webp", "ppm", "svg", "pdf");
     private static final int MOST_THREADS = 1024;
-    /** Memory that everything but the picture may take. */
-    private static final long SLACK = 16L << 20;
 
     @ParentCommand
     private Main main;
@@ -74,7 +72,7 @@ final class RenderCommand implements Callable<Integer> {
         SimpleCamera camera = picture.camera();
         refuseOtherFormats();
         Scene read = SceneArgument.read(scene, main.in(), quiet ? null : main.err()).scene();
-        requireMemory(camera);
+        Memory.require(camera.width(), camera.height(), 0);
         if (output.equals(SceneArgument.STREAM)) {
             toStream(new Renderer(read, camera, settings));
         } else {
@@ -141,18 +139,6 @@ final class RenderCommand implements Callable<Integer> {
             }
         } catch (IOException e) {
             return;                                           // then PictureFile says what is wrong with it
-        }
-    }
-
-    private void requireMemory(SimpleCamera camera) throws Failure {
-        Runtime memory = Runtime.getRuntime();
-        long needed = Picture.bytesNeeded(camera.width(), camera.height()) + SLACK;
-        long free = memory.maxMemory() - (memory.totalMemory() - memory.freeMemory());
-        if (needed > free) {
-            throw new Failure(ExitCode.NO_MEMORY, String.format(Locale.ROOT,
-                "simpleray: a picture of %dx%d needs %d MiB of memory, and Java has %d MiB left: make it smaller, or give java more "
-                    + "by -Xmx",
-                camera.width(), camera.height(), needed >> 20, free >> 20));
         }
     }
 

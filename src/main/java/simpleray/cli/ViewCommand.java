@@ -16,6 +16,9 @@ import simpleray.ui.Viewer;
 @Command(name = "view", mixinStandardHelpOptions = true, sortOptions = false,
     description = "Opens a window in which the picture appears row by row.")
 final class ViewCommand implements Callable<Integer> {
+    /** Bytes for each pixel that a window takes beside the picture: its image, and rows on their way to it. */
+    private static final int SCREEN = 8;
+
     @ParentCommand
     private Main main;
 
@@ -32,6 +35,7 @@ final class ViewCommand implements Callable<Integer> {
         if (!Viewer.hasDisplay()) {
             throw new Failure(ExitCode.NO_DISPLAY, "simpleray: there is no display for a window; simpleray render works without one");
         }
+        Memory.require(camera.width(), camera.height(), SCREEN);
         Viewer.view(source(), camera, settings);
         return ExitCode.DONE;
     }

@@ -5,10 +5,12 @@ import java.io.IOException;
 import java.nio.file.FileSystemException;
 import java.nio.file.Path;
 import java.util.Locale;
-import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.TimeUnit;
 import javax.swing.JFileChooser;
 import javax.swing.JOptionPane;
-import javax.swing.SwingWorker;
+import javax.swing.SwingUtilities;
 import javax.swing.filechooser.FileNameExtensionFilter;
 import simpleray.image.Picture;
 import simpleray.image.PictureFile;
@@ -16,6 +18,7 @@ import simpleray.image.PictureFile;
 /** Asks for a scene to open, and for a place to save the picture. */
 final class PictureDialogs {
     private final ViewerFrame frame;
+    private final ExecutorService writer = Executors.newSingleThreadExecutor(task -> new Thread(task, "simpleray-saving"));
     private File folder = new File("").getAbsoluteFile();
 
     PictureDialogs(ViewerFrame frame) {
@@ -32,9 +35,9 @@ final class PictureDialogs {
         }
     }
 
-    /** Asks where, adds .png where it is missing, asks before it overwrites, and writes on a thread of its own. */
+    /** Asks where, adds .png where it is missing, and asks before it overwrites. */
     void save() {
-        Picture picture = frame.picture().lastWhole();
+        Picture picture = frame.picture().whole();
         JFileChooser chooser = new JFileChooser(folder);
         chooser.setDialogTitle("Save Picture As");
         chooser.setFileFilter(new FileNameExtensionFilter("PNG pictures (*.png)", "png"));
@@ -64,27 +67,39 @@ final class PictureDialogs {
             JOptionPane.OK_CANCEL_OPTION, JOptionPane.WARNING_MESSAGE) == JOptionPane.OK_OPTION;
     }
 
+    /** Writes on a thread of its own. */
     private void write(Picture picture, Path path) {
-        new SwingWorker<Void, Void>() {
-            @Override
-            protected Void doInBackground() throws IOException {
-                try (PictureFile file = new PictureFile(path)) {
-                    file.write(picture);
-                }
-                return null;
-            }
-
-            @Override
-            protected void done() {
-                try {
-                    get();
+        writer.execute(() -> {
+            String failure = failure(picture, path);
+            SwingUtilities.invokeLater(() -> {
+                if (failure == null) {
                     frame.say("Saved " + path);
-                } catch (ExecutionException | InterruptedException e) {
-                    Throwable cause = e.getCause();
-                    String reason = cause instanceof FileSystemException f && f.getReason() != null ? f.getReason() : String.valueOf(cause);
-                    JOptionPane.showMessageDialog(frame, path + "\n" + reason, "The picture was not saved", JOptionPane.ERROR_MESSAGE);
+                } else {
+                    JOptionPane.showMessageDialog(frame, path + "\n" + failure, "The picture was not saved", JOptionPane.ERROR_MESSAGE);
                 }
-            }
-        }.execute();
+            });
+        });
+    }
+
+    /** {@return why the picture could not be written; null if it was} */
+    private static String failure(Picture picture, Path path) {
+        try (PictureFile file = new PictureFile(path)) {
+            file.write(picture);
+            return null;
+        } catch (FileSystemException e) {
+            return e.getReason() != null ? e.getReason() : e.toString();
+        } catch (IOException | RuntimeException e) {
+            return e.toString();
+        }
+    }
+
+    /** Takes no more pictures; those that are being saved still are. */
+    void close() {
+        writer.shutdown();
+    }
+
+    /** Waits until all pictures are saved; not for the event thread. */
+    void await() throws InterruptedException {
+        writer.awaitTermination(Long.MAX_VALUE, TimeUnit.NANOSECONDS);
     }
 }

@@ -19,6 +19,8 @@ import simpleray.text.Problem;
  * polls; nothing here waits for it.
  */
 final class Rendering {
+    private static final long PATIENCE = 1000;                // milliseconds
+
     private final SceneSource source;
     private final SimpleCamera camera;
     private final RenderSettings settings;
@@ -74,9 +76,15 @@ final class Rendering {
         }
     }
 
-    /** Waits until all threads of this rendering have ended; not for the event thread while it runs. */
+    /**
+     * Waits until all threads of this rendering have ended; not for the event thread while it runs. One that still reads is not waited
+     * for long: nothing stops it, and a pipe may never end.
+     */
     void await() throws InterruptedException {
-        thread.join();
+        thread.join(PATIENCE);
+        if (state != State.READING) {
+            thread.join();
+        }
     }
 
     State state() {

@@ -30,14 +30,14 @@ public final class SimpleRay extends JComponent implements Runnable, Scrollable 
     private static final Color SURROUND = new Color(0x3C3F41);
 
     private final transient SimpleCamera camera;
-    private final Timer kicker = new Timer(KICK, e -> run());
+    private final transient Timer kicker = new Timer(KICK, e -> run());
     private transient SceneSource source;
     private transient RenderSettings settings;
     private transient BufferedImage image;                    // touched by the event thread alone
     private transient Rendering rendering;
-    private transient Picture lastWhole;
-    private boolean shown;                                    // a row of this rendering is in the image
-    private boolean fitted;
+    private transient Picture whole;                          // the picture that is shown, once all its rows are
+    private transient boolean shown;                          // a row of this rendering is in the image
+    private transient boolean fitted;
     private transient Runnable listener = () -> { };
 
     /**
@@ -59,6 +59,7 @@ public final class SimpleRay extends JComponent implements Runnable, Scrollable 
     /** Makes an empty picture. */
     public void init() {
         image = new BufferedImage(camera.width(), camera.height(), BufferedImage.TYPE_INT_ARGB);
+        whole = null;
         repaint();
     }
 
@@ -84,7 +85,7 @@ public final class SimpleRay extends JComponent implements Runnable, Scrollable 
     public void run() {
         boolean ended = rendering.state().ended();            // asked first: then no row comes after the last one seen
         long begin = System.nanoTime();
-        Rectangle changed = new Rectangle();
+        Rectangle changed = new Rectangle(0, 0, -1, -1);      // none: an empty one at 0, 0 would stay part of any sum
         while (System.nanoTime() - begin < MOST_WORK) {
             Rendering.Row row = rendering.poll();
             if (row == null) {
@@ -106,7 +107,7 @@ public final class SimpleRay extends JComponent implements Runnable, Scrollable 
         if (ended && !rendering.hasRows()) {
             kicker.stop();
             if (rendering.state() == Rendering.State.FINISHED) {
-                lastWhole = rendering.picture();
+                whole = rendering.picture();
             }
         }
         listener.run();
@@ -188,9 +189,9 @@ public final class SimpleRay extends JComponent implements Runnable, Scrollable 
         return kicker.isRunning();
     }
 
-    /** {@return the last picture that was finished; null if there was none} */
-    Picture lastWhole() {
-        return lastWhole;
+    /** {@return the picture that is shown, if it is whole; null if not} */
+    Picture whole() {
+        return whole;
     }
 
     SimpleCamera camera() {

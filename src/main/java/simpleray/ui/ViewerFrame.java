@@ -18,12 +18,14 @@ import simpleray.scene.SimpleCamera;
 final class ViewerFrame extends JFrame {
     private static final long serialVersionUID = 1L;
     private static final Dimension LEAST = new Dimension(760, 560);
+    private static final int DIVIDER = 6;
     private static final int MOST_PROBLEM_LINES = 6;
 
     private final transient SimpleRay picture;
     private final JTextArea problems = new JTextArea();
     private final JSplitPane split;
     private final StatusBar status = new StatusBar();
+    private final transient PictureDialogs dialogs = new PictureDialogs(this);
     private final transient ViewerMenus menus;
     private final transient Runnable closed;
 
@@ -36,7 +38,8 @@ final class ViewerFrame extends JFrame {
         problems.setFont(new Font(Font.MONOSPACED, Font.PLAIN, problems.getFont().getSize()));
         split = new JSplitPane(JSplitPane.VERTICAL_SPLIT, new JScrollPane(picture), null);
         split.setResizeWeight(1);
-        menus = new ViewerMenus(this);
+        split.setDividerSize(0);                              // until there are problems to show
+        menus = new ViewerMenus(this, dialogs);
         setJMenuBar(menus.bar());
         add(split, BorderLayout.CENTER);
         add(status, BorderLayout.SOUTH);
@@ -52,6 +55,7 @@ final class ViewerFrame extends JFrame {
         Dimension screen = getToolkit().getScreenSize();
         setMinimumSize(new Dimension(320, 240));
         setSize(Math.min(screen.width, Math.max(LEAST.width, getWidth())), Math.min(screen.height, Math.max(LEAST.height, getHeight())));
+        validate();                                           // problems that are known at once find how high the window is
         setLocationByPlatform(true);
         picture.init();
         open(source);
@@ -93,6 +97,7 @@ final class ViewerFrame extends JFrame {
     /** Closes the window and ends its threads. */
     void close() {
         picture.stop();
+        dialogs.close();
         dispose();
         closed.run();
     }
@@ -103,6 +108,7 @@ final class ViewerFrame extends JFrame {
         if (rendering != null) {
             rendering.await();
         }
+        dialogs.await();
     }
 
     private void refresh() {
@@ -115,7 +121,7 @@ final class ViewerFrame extends JFrame {
     }
 
     private void refreshMenus() {
-        menus.refresh(picture.isBusy(), picture.lastWhole() != null && !picture.isBusy(), picture.source() != SceneSource.NONE);
+        menus.refresh(picture.isBusy(), picture.whole() != null && !picture.isBusy(), picture.source() != SceneSource.NONE);
     }
 
     private void showProblems(String text) {
@@ -124,9 +130,10 @@ final class ViewerFrame extends JFrame {
         }
         problems.setText(text);
         problems.setCaretPosition(0);
-        problems.setRows(Math.min(MOST_PROBLEM_LINES, problems.getLineCount()));
+        problems.setRows(Math.min(MOST_PROBLEM_LINES, problems.getLineCount() + 1));   // one for a scroll bar
         JScrollPane pane = text.isEmpty() ? null : new JScrollPane(problems);
         split.setBottomComponent(pane);
+        split.setDividerSize(pane == null ? 0 : DIVIDER);
         if (pane != null) {
             split.setDividerLocation(split.getHeight() - split.getDividerSize() - pane.getPreferredSize().height);
         }

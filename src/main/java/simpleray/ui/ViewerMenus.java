@@ -2,8 +2,6 @@ package simpleray.ui;
 
 import java.awt.event.ActionEvent;
 import java.awt.event.KeyEvent;
-import java.util.EnumMap;
-import java.util.Map;
 import javax.swing.AbstractAction;
 import javax.swing.Action;
 import javax.swing.ButtonGroup;
@@ -19,10 +17,8 @@ final class ViewerMenus {
     private final Action save;
     private final Action render;
     private final Action cancel;
-    private final Map<Stage, JRadioButtonMenuItem> stages = new EnumMap<>(Stage.class);
 
-    ViewerMenus(ViewerFrame frame) {
-        PictureDialogs dialogs = new PictureDialogs(frame);
+    ViewerMenus(ViewerFrame frame, PictureDialogs dialogs) {
         save = action("Save Picture As\u2026", "control S", dialogs::save);
         render = action("Re-render", "F5", frame::render);
         cancel = action("Cancel", "ESCAPE", () -> frame.picture().stop());
@@ -76,7 +72,6 @@ final class ViewerMenus {
     private void addStage(JMenu menu, ButtonGroup one, ViewerFrame frame, Stage stage, String name, String key) {
         JRadioButtonMenuItem item = radio(one, action(name, key, () -> frame.setStage(stage)));
         item.setSelected(frame.picture().settings().stage() == stage);
-        stages.put(stage, item);
         menu.add(item);
     }
 

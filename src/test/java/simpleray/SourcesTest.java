@@ -1,0 +1,37 @@
+package simpleray;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.Set;
+import java.util.stream.Collectors;
+import org.junit.jupiter.api.Test;
+
+/** Rules that hold for the text of every source. */
+class SourcesTest {
+    private static final int MOST_LINES = 350;
+    private static final List<SourceFile> MAIN = SourceFile.allOf("src/main/java");
+    private static final List<SourceFile> ALL = SourceFile.allOf("src");
+
+    @Test
+    void nothingIsImportedByAsterisk() {
+        assertThat(ALL).hasSizeGreaterThan(MAIN.size())
+            .allSatisfy(file -> assertThat(file.imports()).as(file.name()).noneMatch(name -> name.endsWith("*")));
+    }
+
+    @Test
+    void noFileOfTheProgramIsTooLongToRead() {
+        assertThat(MAIN).isNotEmpty()
+            .allSatisfy(file -> assertThat(file.lines()).as(file.name()).hasSizeLessThanOrEqualTo(MOST_LINES));
+    }
+
+    @Test
+    void everyPackageSaysWhatItIsFor() {
+        Set<String> folders = MAIN.stream().map(SourceFile::folder).collect(Collectors.toSet());
+        Set<String> told = MAIN.stream().filter(file -> file.name().endsWith("/package-info.java"))
+            .filter(file -> file.lines().stream().anyMatch(line -> line.startsWith("/**"))).map(SourceFile::folder)
+            .collect(Collectors.toSet());
+
+        assertThat(told).isEqualTo(folders);
+    }
+}

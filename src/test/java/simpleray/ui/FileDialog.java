@@ -1,0 +1,40 @@
+package simpleray.ui;
+
+import java.awt.event.KeyEvent;
+import java.nio.file.Path;
+import javax.swing.JFileChooser;
+import javax.swing.JTextField;
+import javax.swing.SwingUtilities;
+
+/** A dialog that asks for a file and is open on the screen. */
+final class FileDialog {
+    private final Screen screen;
+    private final JTextField name;
+
+    FileDialog(Screen screen) {
+        this.screen = screen;
+        name = OpenWindow.appears("a dialog that asks for a file", JTextField.class, FileDialog::asksForFile);
+        Screen.until("the dialog has the keys", name::isFocusOwner);
+    }
+
+    private static boolean asksForFile(JTextField field) {
+        return SwingUtilities.getAncestorOfClass(JFileChooser.class, field) != null;
+    }
+
+    /** {@return the file that the dialog proposes} */
+    String proposal() {
+        return OpenWindow.ask(name::getText);
+    }
+
+    /** Types the path of a file in place of what is there, and Enter. */
+    void enter(Path path) {
+        screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_A);
+        screen.type(path.toString());
+        Screen.until("the path is typed", () -> name.getText().equals(path.toString()));
+        screen.press(KeyEvent.VK_ENTER);
+    }
+
+    void untilClosed() {
+        Screen.until("the dialog is gone", () -> !name.isShowing());
+    }
+}

@@ -1,0 +1,65 @@
+package simpleray.ui;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.event.KeyEvent;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import simpleray.render.Stage;
+
+/** The keys, pressed on a keyboard. */
+class KeysTest {
+    private OpenWindow window;
+
+    @BeforeEach
+    void finishThePicture() {
+        window = new OpenWindow(SceneSource.file(TestScenes.THESIS), 90, 60);
+        window.untilState(Rendering.State.FINISHED);
+    }
+
+    @AfterEach
+    void close() {
+        window.close();
+    }
+
+    @ParameterizedTest
+    @CsvSource({"1, ORIGINAL, Original Scene", "2, LIGHTING, With Lighting", "3, FINAL, With Shadows and Reflections",
+        "A, AMBIENT, Ambient Term", "D, DIFFUSE, Diffuse Term", "S, SPECULAR, Specular Term"})
+    void aKeyShowsTheStageAndTicksItInTheMenu(char key, Stage stage, String item) {
+        window.screen.press(KeyEvent.getExtendedKeyCodeForChar(Character.toLowerCase(key)));
+
+        window.untilShown("stage " + stage, TestScenes.rendered(TestScenes.THESIS, 90, 60, stage));
+        window.untilState(Rendering.State.FINISHED);
+        assertThat(window.label("size")).isEqualTo("90 × 60, " + stage);
+        assertThat(OpenWindow.ask(window.item(item)::isSelected)).isTrue();
+    }
+
+    @Test
+    void f5RendersAgain() {
+        Rendering before = window.rendering();
+        window.screen.press(KeyEvent.VK_F5);
+
+        assertThat(window.rendering()).isNotSameAs(before);
+        window.untilState(Rendering.State.FINISHED);
+        window.untilShown("the picture", TestScenes.rendered(TestScenes.THESIS, 90, 60));
+    }
+
+    @Test
+    void escapeDoesNothingToAFinishedPicture() {
+        window.screen.press(KeyEvent.VK_ESCAPE);
+
+        assertThat(window.rendering().state()).isEqualTo(Rendering.State.FINISHED);
+        assertThat(window.status()).startsWith("Finished: 60 of 60 rows");
+    }
+
+    @Test
+    void controlQQuits() {
+        window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_Q);
+
+        assertThat(window.closed).isTrue();
+        assertThat(OpenWindow.ask(window.frame::isDisplayable)).isFalse();
+    }
+}

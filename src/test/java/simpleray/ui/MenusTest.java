@@ -1,0 +1,92 @@
+package simpleray.ui;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.Collectors;
+import javax.swing.JMenu;
+import javax.swing.JMenuItem;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import simpleray.render.Stage;
+
+/** The menus, with the mouse. */
+class MenusTest {
+    private OpenWindow window;
+
+    @BeforeEach
+    void finishThePicture() {
+        window = new OpenWindow(SceneSource.file(TestScenes.THESIS), 90, 60);
+        window.untilState(Rendering.State.FINISHED);
+    }
+
+    @AfterEach
+    void close() {
+        window.close();
+    }
+
+    @Test
+    void theFileMenuOpensSavesAndQuits() {
+        assertThat(items(opened("File"))).containsExactly(
+            "Open… ctrl pressed O", "Save Picture As… ctrl pressed S", "Quit ctrl pressed Q");
+    }
+
+    @Test
+    void theStageMenuHasTheThesissThreePicturesAndItsTerms() {
+        assertThat(items(opened("Stage"))).containsExactly("Original Scene pressed 1", "With Lighting pressed 2",
+            "With Shadows and Reflections pressed 3", "Ambient Term pressed A", "Diffuse Term pressed D", "Specular Term pressed S");
+    }
+
+    @Test
+    void theRenderMenuRendersAgainAndCancels() {
+        assertThat(items(opened("Render"))).containsExactly("Re-render pressed F5", "Cancel pressed ESCAPE");
+    }
+
+    @Test
+    void aClickOnAStageShowsIt() {
+        opened("Stage");
+        window.screen.click(window.item("With Lighting"));
+
+        window.untilShown("the stage", TestScenes.rendered(TestScenes.THESIS, 90, 60, Stage.LIGHTING));
+    }
+
+    @Test
+    void aClickOnReRenderRendersAgain() {
+        Rendering before = window.rendering();
+        opened("Render");
+        window.screen.click(window.item("Re-render"));
+
+        Screen.until("another rendering is there", () -> window.rendering() != before);
+        window.untilState(Rendering.State.FINISHED);
+    }
+
+    @Test
+    void aClickOnOpenAsksForAFile() {
+        opened("File");
+        window.screen.click(window.item("Open…"));
+
+        assertThat(new FileDialog(window.screen).proposal()).isEmpty();
+    }
+
+    @Test
+    void aClickOnQuitClosesTheWindow() {
+        opened("File");
+        window.screen.click(window.item("Quit"));
+
+        Screen.until("the window is closed", () -> window.closed.get() && !window.frame.isDisplayable());
+    }
+
+    private JMenu opened(String name) {
+        JMenu menu = OpenWindow.ask(() -> OpenWindow.seen(JMenu.class, m -> m.getText().equals(name)));
+        window.screen.click(menu);
+        Screen.until("the menu is open", () -> menu.isPopupMenuVisible() && menu.getPopupMenu().isShowing());
+        return menu;
+    }
+
+    private static List<String> items(JMenu menu) {
+        return OpenWindow.ask(() -> Arrays.stream(menu.getMenuComponents()).filter(JMenuItem.class::isInstance)
+            .map(c -> ((JMenuItem) c).getText() + ' ' + ((JMenuItem) c).getAccelerator()).collect(Collectors.toList()));
+    }
+}

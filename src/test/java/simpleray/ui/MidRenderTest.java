@@ -1,0 +1,84 @@
+package simpleray.ui;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.Rectangle;
+import java.awt.event.KeyEvent;
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+
+/** The window while the upper half of a picture is finished and the lower half is held at a gate. */
+class MidRenderTest {
+    private static final int SIDE = 240;
+    private static final int HALF = SIDE / 2;
+
+    private final TestScenes.Gate gate = new TestScenes.Gate(0);
+    private OpenWindow window;
+
+    @BeforeEach
+    void renderTheUpperHalf() {
+        window = new OpenWindow(TestScenes.watched(TestScenes.THESIS, gate), SIDE, SIDE);
+        Screen.until("the upper half is finished",
+            () -> window.picture().rendering().progress() != null && window.picture().rendering().progress().finished() == HALF);
+    }
+
+    @AfterEach
+    void close() {
+        gate.open();
+        window.close();
+    }
+
+    @Test
+    void finishedRowsAreOnTheScreenAndTheOthersAreBlank() throws IOException {
+        window.untilShown("the upper half", TestScenes.rendered(TestScenes.THESIS, SIDE, SIDE), 0, HALF);
+
+        Rectangle place = OpenWindow.ask(() -> window.picture().place());
+        BufferedImage capture = OpenWindow.ask(() -> window.screen.capture(window.picture(), place));
+        assertThat(capture.getRGB(0, HALF, SIDE, SIDE - HALF, null, 0, SIDE)).containsOnly(0xFF000000 | Screen.SURROUND);
+
+        Path captures = Files.createDirectories(Path.of(System.getProperty("simpleray.build"), "captures"));
+        Rectangle all = OpenWindow.ask(window.frame::getBounds);
+        ImageIO.write(window.screen.capture(all), "png", captures.resolve("mid-render.png").toFile());
+    }
+
+    @Test
+    void theStatusLineHasRowsDoneTimeGoneTimeLeftAndTheSize() {
+        Screen.until("the status line counts 120 rows", () -> window.status().contains("120 of 240 rows"));
+
+        assertThat(window.status()).matches("Rendering: 120 of 240 rows, [\\d.:]+ (s|min), [\\d.:]+ (s|min) left");
+        assertThat(window.label("size")).isEqualTo("240 × 240, final");
+    }
+
+    @Test
+    void thePictureCannotBeSavedAndTheRenderingCanBeCancelled() {
+        assertThat(window.canDo("Save Picture As…")).isFalse();
+        assertThat(window.canDo("Cancel")).isTrue();
+    }
+
+    @Test
+    void escapeCancelsAndWhatIsFinishedStays() {
+        window.screen.press(KeyEvent.VK_ESCAPE);
+        gate.open();
+
+        window.untilState(Rendering.State.CANCELLED);
+        assertThat(window.status()).matches("Cancelled: 120 of 240 rows, [\\d.:]+ (s|min)");
+        assertThat(window.canDo("Save Picture As…")).isFalse();
+        assertThat(window.canDo("Cancel")).isFalse();
+        window.untilShown("the upper half", TestScenes.rendered(TestScenes.THESIS, SIDE, SIDE), 0, HALF);
+    }
+
+    @Test
+    void itGoesOnToTheEndOnceItIsNotHeldAnyMore() {
+        gate.open();
+
+        window.untilShown("the whole picture", TestScenes.rendered(TestScenes.THESIS, SIDE, SIDE));
+        window.untilState(Rendering.State.FINISHED);
+        assertThat(window.canDo("Save Picture As…")).isTrue();
+    }
+}

@@ -1,0 +1,149 @@
+package simpleray.ui;
+
+import java.awt.AWTEvent;
+import java.awt.AWTException;
+import java.awt.Component;
+import java.awt.Point;
+import java.awt.Rectangle;
+import java.awt.Robot;
+import java.awt.Toolkit;
+import java.awt.event.AWTEventListener;
+import java.awt.event.InputEvent;
+import java.awt.event.KeyEvent;
+import java.awt.image.BufferedImage;
+import java.io.File;
+import java.io.IOException;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.BooleanSupplier;
+import javax.imageio.ImageIO;
+import javax.swing.Timer;
+
+/** The screen as a user has it: keys, the mouse, and what can be seen. It waits for what is to happen, never for a time to pass. */
+final class Screen {
+    /** What is around a picture, and where a picture has no rows yet. */
+    static final int SURROUND = 0x3C3F41;
+    /** How long anything may take. */
+    static final int SECONDS = 30;
+    private static final int LOOK = 5;                        // milliseconds between two looks
+
+    private final Robot robot;
+
+    Screen() {
+        try {
+            robot = new Robot();
+        } catch (AWTException e) {
+            throw new IllegalStateException("no display, or one that lets nobody press keys", e);
+        }
+    }
+
+    /** Waits until something is true, which is asked on the event thread. */
+    static void until(String what, BooleanSupplier condition) {
+        CountDownLatch known = new CountDownLatch(1);
+        AtomicReference<Throwable> fault = new AtomicReference<>();
+        Timer look = new Timer(LOOK, e -> {
+            try {
+                if (condition.getAsBoolean()) {
+                    known.countDown();
+                }
+            } catch (RuntimeException | Error t) {
+                fault.set(t);
+                known.countDown();
+            }
+        });
+        look.start();
+        try {
+            arrive(known, what);
+        } finally {
+            look.stop();
+        }
+        if (fault.get() != null) {
+            throw new AssertionError("cannot tell whether " + what, fault.get());
+        }
+    }
+
+    /** Presses keys together, the last one briefly, and waits until the program has done what it does upon that. */
+    void press(int... keys) {
+        int last = keys[keys.length - 1];
+        CountDownLatch arrived = new CountDownLatch(1);
+        AWTEventListener listener = e -> {
+            if (e.getID() == KeyEvent.KEY_PRESSED && ((KeyEvent) e).getKeyCode() == last) {
+                arrived.countDown();
+            }
+        };
+        Toolkit.getDefaultToolkit().addAWTEventListener(listener, AWTEvent.KEY_EVENT_MASK);
+        for (int key : keys) {
+            robot.keyPress(key);
+        }
+        for (int i = keys.length - 1; i >= 0; i--) {
+            robot.keyRelease(keys[i]);
+        }
+        arrive(arrived, "the key " + KeyEvent.getKeyText(last) + " reaches a window");
+        Toolkit.getDefaultToolkit().removeAWTEventListener(listener);
+        OpenWindow.run(() -> { });
+    }
+
+    /** Types text as on a keyboard of the USA. */
+    void type(String text) {
+        for (char c : text.toCharArray()) {
+            boolean shift = Character.isUpperCase(c) || c == '_';
+            int key = c == '_' ? KeyEvent.VK_MINUS : KeyEvent.getExtendedKeyCodeForChar(c);
+            if (shift) {
+                robot.keyPress(KeyEvent.VK_SHIFT);
+            }
+            robot.keyPress(key);
+            robot.keyRelease(key);
+            if (shift) {
+                robot.keyRelease(KeyEvent.VK_SHIFT);
+            }
+        }
+    }
+
+    /** Clicks into the middle of a component. */
+    void click(Component component) {
+        Rectangle place = OpenWindow.ask(() -> new Rectangle(component.getLocationOnScreen(), component.getSize()));
+        robot.mouseMove((int) place.getCenterX(), (int) place.getCenterY());
+        robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
+        robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+    }
+
+    BufferedImage capture(Rectangle place) {
+        return robot.createScreenCapture(place);
+    }
+
+    BufferedImage capture() {
+        return capture(new Rectangle(Toolkit.getDefaultToolkit().getScreenSize()));
+    }
+
+    /** {@return what can be seen of a rectangle of a component} */
+    BufferedImage capture(Component component, Rectangle part) {
+        Point corner = component.getLocationOnScreen();
+        return capture(new Rectangle(corner.x + part.x, corner.y + part.y, part.width, part.height));
+    }
+
+    /** {@return whether rows of a picture, at 100 %, are in a capture; the picture's corner is at x, y} */
+    static boolean shows(BufferedImage capture, int x, int y, BufferedImage picture, int from, int to) {
+        for (int row = from; row < to; row++) {
+            for (int column = 0; column < picture.getWidth(); column++) {
+                if (capture.getRGB(x + column, y + row) != picture.getRGB(column, row)) {
+                    return false;
+                }
+            }
+        }
+        return true;
+    }
+
+    private static void arrive(CountDownLatch latch, String what) {
+        try {
+            if (!latch.await(SECONDS, TimeUnit.SECONDS)) {
+                File file = new File(System.getProperty("simpleray.build"), "captures/late.png");
+                file.getParentFile().mkdirs();
+                ImageIO.write(new Screen().capture(), "png", file);
+                throw new AssertionError("not within " + SECONDS + " s: " + what + "; see " + file);
+            }
+        } catch (InterruptedException | IOException e) {
+            throw new AssertionError("not known whether " + what, e);
+        }
+    }
+}

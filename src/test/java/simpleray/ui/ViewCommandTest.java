@@ -1,0 +1,46 @@
+package simpleray.ui;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.image.BufferedImage;
+import java.nio.file.Path;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Test;
+import simpleray.render.Stage;
+
+/** {@code java -jar simpleray.jar view}, as a program of its own. */
+class ViewCommandTest {
+    private static final int SIGTERM = 128 + 15;
+
+    private final Screen screen = new Screen();
+
+    @Test
+    void itTakesTheOptionsOfRenderAndShowsThePictureUntilItIsEnded() throws Exception {
+        BufferedImage expected = TestScenes.rendered(TestScenes.THESIS, 300, 200, Stage.LIGHTING);
+        Path java = Path.of(System.getProperty("java.home"), "bin", "java");
+        Process process = new ProcessBuilder(java.toString(), "-jar", System.getProperty("simpleray.jar"), "view",
+            TestScenes.THESIS.toString(), "--size", "300x200", "--stage", "lighting").inheritIO().start();
+        try {
+            Screen.until("the picture is somewhere on the screen", () -> isShown(expected));
+            process.destroy();
+
+            assertThat(process.waitFor(20, TimeUnit.SECONDS)).isTrue();
+            assertThat(process.exitValue()).isEqualTo(SIGTERM);
+            Screen.until("the picture is gone", () -> !isShown(expected));
+        } finally {
+            process.destroyForcibly();
+        }
+    }
+
+    private boolean isShown(BufferedImage expected) {
+        BufferedImage capture = screen.capture();
+        for (int y = 0; y <= capture.getHeight() - expected.getHeight(); y++) {
+            for (int x = 0; x <= capture.getWidth() - expected.getWidth(); x++) {
+                if (Screen.shows(capture, x, y, expected, 0, expected.getHeight())) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+}
