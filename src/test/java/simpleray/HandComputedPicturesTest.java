@@ -73,7 +73,7 @@ class HandComputedPicturesTest {
             + "   1 0 0 1 10   1 0.5 0   0 0 0   0 0 0   1   1 1 1   0";
 
         BufferedImage picture = Rendered.decoded(Rendered.png(Rendered.scene(scene), new SimpleCamera(SIDE, SIDE),
-            new RenderSettings(Stage.FINAL, depth, 2)));
+            new RenderSettings(Stage.FINAL, depth, 1, 2)));
 
         assertEachPixel(picture, (x, y) -> expected);
     }

@@ -26,6 +26,6 @@ class ThreadsTest {
 
     private static byte[] png(String name, int threads) throws IOException {
         Scene scene = SceneFile.read(Project.scene(name)).scene();
-        return Rendered.png(scene, new SimpleCamera(97, 61), new RenderSettings(Stage.FINAL, RenderSettings.DEFAULT_DEPTH, threads));
+        return Rendered.png(scene, new SimpleCamera(97, 61), new RenderSettings(Stage.FINAL, RenderSettings.DEFAULT_DEPTH, 1, threads));
     }
 }

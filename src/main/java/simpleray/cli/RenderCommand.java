@@ -3,9 +3,6 @@ package simpleray.cli;
 import java.io.BufferedOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
-import java.nio.file.FileSystemException;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Set;
 import java.util.concurrent.Callable;
@@ -18,13 +15,11 @@ import picocli.CommandLine.Parameters;
 import picocli.CommandLine.ParentCommand;
 import picocli.CommandLine.Spec;
 import simpleray.image.Picture;
-import simpleray.image.PictureFile;
 import simpleray.image.PngWriter;
 import simpleray.render.Progress;
-import simpleray.render.RenderSettings;
+import simpleray.render.RenderRequest;
 import simpleray.render.Renderer;
-import simpleray.scene.Scene;
-import simpleray.scene.SimpleCamera;
+import simpleray.text.WholeFile;
 
 /** Renders a scene into a PNG file, without a window. */
 @Command(name = "render", mixinStandardHelpOptions = true, sortOptions = false,
@@ -68,15 +63,14 @@ final class RenderCommand implements Callable<Integer> {
         if (threads != null && (threads < 1 || threads > MOST_THREADS)) {
             throw new ParameterException(spec.commandLine(), "--threads must be 1 to " + MOST_THREADS + ", and is " + threads);
         }
-        RenderSettings settings = picture.settings(threads == null ? Runtime.getRuntime().availableProcessors() : threads);
-        SimpleCamera camera = picture.camera();
+        RenderRequest request = picture.request(threads == null ? Runtime.getRuntime().availableProcessors() : threads);
         refuseOtherFormats();
-        Scene read = SceneArgument.read(scene, main.in(), quiet ? null : main.err()).scene();
-        Memory.require(camera.width(), camera.height(), 0);
+        Renderer renderer = request.renderer(SceneArgument.read(scene, main.in(), quiet ? null : main.err()).scene());
+        Memory.require(renderer.picture().width(), renderer.picture().height(), 0);
         if (output.equals(SceneArgument.STREAM)) {
-            toStream(new Renderer(read, camera, settings));
+            toStream(renderer);
         } else {
-            toFile(new Renderer(read, camera, settings));
+            toFile(renderer);
         }
         return ExitCode.DONE;
     }
@@ -93,20 +87,16 @@ final class RenderCommand implements Callable<Integer> {
     }
 
     private void toFile(Renderer renderer) throws Failure {
-        Path path = Path.of(output);
-        refuseScene(path);
-        try (PictureFile file = new PictureFile(path)) {
+        if (TextOutput.isSame(scene, output)) {
+            throw new ParameterException(spec.commandLine(), "the output " + output + " is the scene itself");
+        }
+        try (WholeFile file = TextOutput.begin(output)) {
             Picture rendered = render(renderer);
-            try {
-                file.write(rendered);
-                report(output, rendered);
-            } catch (IOException e) {
-                throw new Failure(ExitCode.WRITE_ERROR, "simpleray: " + output + ": cannot be written: " + e.getMessage());
-            }
-        } catch (FileSystemException e) {
-            throw new Failure(ExitCode.NO_OUTPUT, "simpleray: " + output + ": cannot be created: " + reason(e));
+            PngWriter.write(rendered, file.out());
+            file.commit();
+            report(output, rendered);
         } catch (IOException e) {
-            throw new Failure(ExitCode.NO_OUTPUT, "simpleray: " + output + ": cannot be created: " + e.getMessage());
+            throw new Failure(ExitCode.WRITE_ERROR, "simpleray: " + output + ": cannot be written: " + e.getMessage());
         }
     }
 
@@ -130,19 +120,5 @@ final class RenderCommand implements Callable<Integer> {
         if (OTHER_FORMATS.contains(extension) && output.contains(".")) {
             throw new ParameterException(spec.commandLine(), "pictures are written as PNG only: call the output " + output + ".png?");
         }
-    }
-
-    private void refuseScene(Path path) {
-        try {
-            if (!scene.equals(SceneArgument.STREAM) && Files.exists(path) && Files.isSameFile(path, Path.of(scene))) {
-                throw new ParameterException(spec.commandLine(), "the output " + output + " is the scene itself");
-            }
-        } catch (IOException e) {
-            return;                                           // then PictureFile says what is wrong with it
-        }
-    }
-
-    private static String reason(FileSystemException e) {
-        return e.getReason() != null ? e.getReason() : e.getClass().getSimpleName().replace("Exception", "");
     }
 }

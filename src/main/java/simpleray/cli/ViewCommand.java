@@ -7,8 +7,9 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.ParentCommand;
-import simpleray.render.RenderSettings;
-import simpleray.scene.SimpleCamera;
+import simpleray.image.Picture;
+import simpleray.render.RenderRequest;
+import simpleray.scene.Scene;
 import simpleray.ui.SceneSource;
 import simpleray.ui.Viewer;
 
@@ -30,13 +31,13 @@ final class ViewCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws Failure {
-        SimpleCamera camera = picture.camera();
-        RenderSettings settings = picture.settings(Runtime.getRuntime().availableProcessors());
+        RenderRequest request = picture.request(Runtime.getRuntime().availableProcessors());
         if (!Viewer.hasDisplay()) {
             throw new Failure(ExitCode.NO_DISPLAY, "simpleray: there is no display for a window; simpleray render works without one");
         }
-        Memory.require(camera.width(), camera.height(), SCREEN);
-        Viewer.view(source(), camera, settings);
+        Picture asked = request.renderer(new Scene()).picture();
+        Memory.require(asked.width(), asked.height(), SCREEN);
+        Viewer.view(source(), request);
         return ExitCode.DONE;
     }
 

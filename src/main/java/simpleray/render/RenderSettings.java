@@ -1,37 +1,44 @@
 package simpleray.render;
 
+import simpleray.scene.SceneSettings;
+
 /**
  * How a scene is rendered. <em>Constant.</em>
  *
  * @param stage which picture is made
- * @param depth the most reflections of a primary ray, 0 to {@link #MOST_DEPTH}
+ * @param depth the most reflections of a primary ray, 0 to {@link SceneSettings#MOST_DEPTH}
+ * @param samples samples along each side of a pixel, 1 to {@link SceneSettings#MOST_SAMPLES}; {@link #ADAPTIVE} where they are needed
  * @param threads how many threads work, 1 or more; the picture does not depend on it
  */
-public record RenderSettings(Stage stage, int depth, int threads) {
+public record RenderSettings(Stage stage, int depth, int samples, int threads) {
     /** The depth unless set. */
     public static final int DEFAULT_DEPTH = 10;
-    /** The greatest depth; each reflection takes a piece of a thread's stack. */
-    public static final int MOST_DEPTH = 1000;
+    /** In place of a number of samples: many where a pixel shows an edge, one elsewhere. */
+    public static final int ADAPTIVE = 0;
 
     /**
      * Checks the ranges.
      *
      * @param stage which picture is made
-     * @param depth the most reflections of a primary ray, 0 to {@link #MOST_DEPTH}
+     * @param depth the most reflections of a primary ray, 0 to {@link SceneSettings#MOST_DEPTH}
+     * @param samples samples along each side of a pixel, 1 to {@link SceneSettings#MOST_SAMPLES}; or {@link #ADAPTIVE}
      * @param threads how many threads work, 1 or more
      */
     public RenderSettings {
-        if (depth < 0 || depth > MOST_DEPTH) {
-            throw new IllegalArgumentException("the depth must be 0 to " + MOST_DEPTH + ", and is " + depth);
+        if (depth < 0 || depth > SceneSettings.MOST_DEPTH) {
+            throw new IllegalArgumentException("the depth must be 0 to " + SceneSettings.MOST_DEPTH + ", and is " + depth);
+        }
+        if (samples < ADAPTIVE || samples > SceneSettings.MOST_SAMPLES) {
+            throw new IllegalArgumentException("the samples must be 1 to " + SceneSettings.MOST_SAMPLES + ", and are " + samples);
         }
         if (threads < 1) {
             throw new IllegalArgumentException("the number of threads must be 1 or more, and is " + threads);
         }
     }
 
-    /** Creates the defaults: the final stage, depth 10, a thread for each processor. */
+    /** Creates the defaults: the final stage, depth 10, one sample, a thread for each processor. */
     public RenderSettings() {
-        this(Stage.FINAL, DEFAULT_DEPTH, Runtime.getRuntime().availableProcessors());
+        this(Stage.FINAL, DEFAULT_DEPTH, 1, Runtime.getRuntime().availableProcessors());
     }
 
     /**
@@ -41,6 +48,6 @@ public record RenderSettings(Stage stage, int depth, int threads) {
      * @return these settings with that stage
      */
     public RenderSettings with(Stage other) {
-        return new RenderSettings(other, depth, threads);
+        return new RenderSettings(other, depth, samples, threads);
     }
 }

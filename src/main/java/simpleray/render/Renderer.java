@@ -8,19 +8,18 @@ import java.util.concurrent.atomic.AtomicReference;
 import simpleray.image.Picture;
 import simpleray.math.Colour;
 import simpleray.scene.Scene;
-import simpleray.scene.SimpleCamera;
+import simpleray.scene.Camera;
 
 /**
- * Renders one picture of a scene: a ray for each pixel, rows handed out to threads (thesis, chapter 2). The scene and the camera must
+ * Renders one picture of a scene: rays for each pixel, rows handed out to threads (thesis, chapter 2). The scene and the camera must
  * not change meanwhile.
  */
 public final class Renderer {
     /** Room for {@link RenderSettings#MOST_DEPTH} reflections within reflections, in bytes. */
     private static final long STACK = 8L << 20;
 
-    private final Scene scene;
-    private final SimpleCamera camera;
     private final RenderSettings settings;
+    private final Sampler sampler;
     private final Picture picture;
     private final AtomicInteger nextRow = new AtomicInteger();
     private final AtomicReference<Throwable> fault = new AtomicReference<>();
@@ -33,10 +32,11 @@ public final class Renderer {
      * @param camera the camera, whose resolution is the picture's
      * @param settings all else
      */
-    public Renderer(Scene scene, SimpleCamera camera, RenderSettings settings) {
-        this.scene = scene;
-        this.camera = camera;
+    public Renderer(Scene scene, Camera camera, RenderSettings settings) {
         this.settings = settings;
+        Tracer tracer = new Tracer(scene, camera, settings);
+        sampler = settings.samples() == RenderSettings.ADAPTIVE ? new AdaptiveSampler(tracer, camera.width(), camera.height())
+            : new GridSampler(tracer, settings.samples());
         picture = new Picture(camera.width(), camera.height());
     }
 
@@ -121,7 +121,7 @@ public final class Renderer {
         double[] rgb = new double[3 * picture.width()];
         Colour colour = new Colour();
         for (int x = 0; x < picture.width() && !cancelled; x++) {
-            scene.intersect(camera.ray(x, y), colour, settings.depth(), settings.stage().terms());
+            sampler.pixel(x, y, colour);
             rgb[3 * x] = colour.r;
             rgb[3 * x + 1] = colour.g;
             rgb[3 * x + 2] = colour.b;

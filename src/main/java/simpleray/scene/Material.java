@@ -8,8 +8,7 @@ import simpleray.text.SceneWriter;
 
 /** What a surface does with light: its ambient, diffuse and specular colour and its shininess (thesis, chapters 4 and 5). */
 public final class Material {
-    /** Keywords that later versions know after the shininess: no headings, lest a picture be made without what they ask for. */
-    private static final Set<String> KEYWORDS = Set.of("transmit");
+    private static final Set<String> TRANSMIT = Set.of("transmit");
 
     /** The share of the scene's ambient light that the surface sends back, Ka. */
     public Colour ambient = new Colour(1, 1, 1);
@@ -19,6 +18,11 @@ public final class Material {
     public double shininess = 2;
     /** The share of a light in its highlight, and of what its mirror ray sees, Ks. */
     public Colour specular = new Colour();
+
+    /** The share of light that passes through, Kt. */
+    public Colour transmission = new Colour();
+    /** The refractive index of the inside, 1 or more. */
+    public double index = 1;
 
     /** Creates the default material: white and matt, as the thesis's sphere 2. */
     public Material() {
@@ -34,6 +38,8 @@ public final class Material {
         diffuse = new Colour(m.diffuse);
         specular = new Colour(m.specular);
         shininess = m.shininess;
+        transmission = new Colour(m.transmission);
+        index = m.index;
     }
 
     /** {@return the most reflections that follow a hit of this surface: "depends on the shininess" (thesis, chapter 7)} */
@@ -56,10 +62,16 @@ public final class Material {
         specular.print(os);
         os.writeString(" shininess ");
         os.writeDouble(shininess);
+        if (transmits()) {
+            os.writeString(" transmission ");
+            transmission.print(os);
+            os.writeString(" index ");
+            os.writeDouble(index);
+        }
     }
 
     /**
-     * Reads the three colours and the shininess.
+     * Reads the three colours and the shininess, and the transmission if there is one.
      *
      * @param is where from
      * @throws IOException if they are not there, or one is below 0
@@ -72,7 +84,13 @@ public final class Material {
         if (shininess < 0) {
             is.reject("shininess of 0 or more");
         }
-        is.refuse(KEYWORDS, "end after its shininess");
+        if (is.takeKeyword(TRANSMIT) != null) {
+            readColour(is, "transmitted", transmission);
+            index = is.readDouble("refractive index");
+            if (index < 1) {
+                is.reject("refractive index of 1 or more");
+            }
+        }
     }
 
     /**
@@ -89,6 +107,17 @@ public final class Material {
         specular.write(os);
         os.writeString("  ");
         os.writeDouble(shininess);
+        if (transmits()) {
+            os.writeString("  transmit ");
+            transmission.write(os);
+            os.writeString("  ");
+            os.writeDouble(index);
+        }
+    }
+
+    /** {@return whether a file says anything of transmission} */
+    private boolean transmits() {
+        return !transmission.isBlack() || index != 1;
     }
 
     private static void readColour(SceneReader is, String name, Colour colour) throws IOException {

@@ -1,6 +1,7 @@
 package simpleray.scene;
 
 import java.io.IOException;
+import simpleray.math.Bounds;
 import simpleray.math.Point;
 import simpleray.math.Ray;
 import simpleray.math.Vector;
@@ -41,6 +42,28 @@ public abstract class Object implements SceneElement {
      * @return a new vector of unit length, which the caller may change; outward where there is an outside
      */
     public abstract Vector normal(Point pt);
+
+    /**
+     * Finds a box that holds the object. Any thread may call.
+     *
+     * @return the box; null if the object is infinite
+     */
+    public Bounds bounds() {
+        return null;
+    }
+
+    /**
+     * Finds the surface at a hit of a ray. Any thread may call.
+     *
+     * @param ray the ray
+     * @param t what {@link #intersect} returned for it
+     * @param point the point there
+     * @return the surface: its normals, and through them which side the ray comes from
+     */
+    Surface surface(Ray ray, double t, Point point) {
+        Vector normal = normal(point);
+        return new Surface(normal, normal);
+    }
 
     /**
      * Prints the object as the thesis's Interpretation does, two lines without the last line break.

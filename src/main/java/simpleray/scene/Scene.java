@@ -19,12 +19,10 @@ import simpleray.text.SceneWriter;
 public final class Scene {
     /** Reading ends at this many errors. */
     private static final int MOST_ERRORS = 20;
-    /** Keywords that later versions know after the last light: no headings, lest a picture be made without what they ask for. */
-    private static final Set<String> KEYWORDS =
-        Set.of("background", "window", "cop", "camera", "resolution", "depth", "samples");
-
     /** The ambient light that falls on every object alike, GA. */
     public Colour ambient = new Colour();
+    /** What the scene's file, or who renders it, asks of camera and renderer; not null. */
+    public SceneSettings settings = new SceneSettings();
 
     private final List<Object> objects = new ArrayList<>();
     private final List<Light> lights = new ArrayList<>();
@@ -138,25 +136,39 @@ public final class Scene {
             }
         }
         if (nearest == null) {
+            if (terms.ambient() && settings.background != null) {
+                colour.copy(settings.background);
+            }
             return false;
         }
 
         Material material = nearest.surfaceMaterial;
         Point point = ray.getPointAt(distance);
-        Vector normal = nearest.normal(point);
-        if (normal.dot(ray.direction) > 0) {                  // both sides of a surface are lit and mirror alike
-            normal.negate();
-        }
-
+        Surface surface = nearest.surface(ray, distance, point);
+        Vector normal = surface.towards(ray.direction);       // both sides of a surface are lit and mirror alike
         addLocal(colour, material, point, normal, Vector.negate(ray.direction), terms);
         int bounces = Math.min(depth, material.reflections());
-        if (terms.reflections() && bounces > 0 && !material.specular.isBlack()) {
-            Colour seen = new Colour();
-            intersect(new Ray(point, mirrored(ray.direction, normal)), seen, bounces - 1, terms);
-            seen.mult(material.specular);
-            colour.add(seen);
+        if (terms.reflections() && bounces > 0) {
+            boolean enters = surface.isEnteredBy(ray.direction);
+            Vector bent = material.transmission.isBlack() ? null
+                : Optics.refracted(ray.direction, normal, enters ? 1 / material.index : material.index);
+            Colour mirror = bent == null ? Colour.add(material.specular, material.transmission) : material.specular;
+            addSeen(colour, mirror, point, Optics.mirrored(ray.direction, normal), bounces - 1, terms);
+            if (bent != null) {
+                addSeen(colour, material.transmission, point, bent, bounces - 1, terms);
+            }
         }
         return true;
+    }
+
+    /** Adds a share of what is seen from a point in a direction. */
+    private void addSeen(Colour colour, Colour share, Point point, Vector direction, int depth, Terms terms) {
+        if (!share.isBlack()) {
+            Colour seen = new Colour();
+            intersect(new Ray(point, direction), seen, depth, terms);
+            seen.mult(share);
+            colour.add(seen);
+        }
     }
 
     /**
@@ -167,21 +179,25 @@ public final class Scene {
         Colour diffuse = new Colour();
         Colour specular = new Colour();
         Vector towards = new Vector();
-        for (Light light : all(lights, numberLights)) {
-            double distance = light.towards(point, towards);
+        for (Light lamp : all(lights, numberLights)) {
+            double distance = lamp.towards(point, towards);
             double facing = normal.dot(towards);
-            if (facing <= 0 || terms.shadows() && isShadowed(new Ray(point, towards), distance)) {
+            if (facing <= 0) {
+                continue;
+            }
+            Colour light = terms.shadows() ? reaching(lamp, new Ray(point, towards), distance) : lamp.intensity;
+            if (light.isBlack()) {
                 continue;
             }
             if (terms.diffuse()) {
-                Colour scattered = Colour.mult(material.diffuse, light.intensity);
+                Colour scattered = Colour.mult(material.diffuse, light);
                 scattered.scale(facing);
                 diffuse.add(scattered);
             }
             if (terms.specular()) {
                 Vector halfway = Vector.add(towards, view);
                 halfway.normalise();
-                Colour highlight = Colour.mult(material.specular, light.intensity);
+                Colour highlight = Colour.mult(material.specular, light);
                 highlight.scale(StrictMath.pow(Math.max(0, normal.dot(halfway)), material.shininess));
                 specular.add(highlight);
             }
@@ -193,22 +209,19 @@ public final class Scene {
         colour.add(specular);
     }
 
-    /** Tells whether anything stands between a point and a light at this distance. */
-    private boolean isShadowed(Ray towards, double distance) {
+    /** Finds what is left of a light at this distance: each object on the way dims it by its Kt, and most let nothing through. */
+    private Colour reaching(Light lamp, Ray towards, double distance) {
+        Colour left = new Colour(lamp.intensity);
         for (Object object : all(objects, numberObjects)) {
             double t = object.intersect(towards);
             if (t >= 0 && t < distance) {
-                return true;
+                left.mult(object.surfaceMaterial.transmission);
+                if (left.isBlack()) {
+                    break;
+                }
             }
         }
-        return false;
-    }
-
-    /** Finds R = D - 2 (D·N) N. */
-    private static Vector mirrored(Vector direction, Vector normal) {
-        Vector mirror = Vector.scale(normal, -2 * direction.dot(normal));
-        mirror.add(direction);
-        return mirror;
+        return left;
     }
 
     /**
@@ -233,6 +246,7 @@ public final class Scene {
             light.print(os);
             os.writeNewline();
         }
+        settings.write(os);
     }
 
     /**
@@ -252,7 +266,8 @@ public final class Scene {
         int m = is.readInt("the number of lights (after " + n + " objects and the ambient light)", 0);
         List<Light> newLights = LightKind.TABLE.readAll(is, m);
         String end = "the end of the scene (after " + n + " objects and " + m + " lights)";
-        is.refuse(KEYWORDS, end);
+        SceneSettings newSettings = new SceneSettings();
+        newSettings.read(is);
         is.complete(end);
 
         objects.clear();
@@ -262,6 +277,7 @@ public final class Scene {
         lights.addAll(newLights);
         numberLights = m;
         ambient = newAmbient;
+        settings = newSettings;
     }
 
     /**
@@ -281,6 +297,7 @@ public final class Scene {
         os.writeInt(numberLights);
         os.writeNewline();
         LightKind.TABLE.writeAll(os, all(lights, numberLights));
+        settings.write(os);
     }
 
     private static int resize(List<?> list, int n) {

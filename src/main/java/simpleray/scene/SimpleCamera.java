@@ -12,7 +12,7 @@ import simpleray.math.Vector;
  * called in any order. While no window was set, the default one grows about its centre along the longer side of the picture, so
  * that pixels are square.
  */
-public final class SimpleCamera {
+public final class SimpleCamera implements Camera {
     /** The width and the height of the picture in pixels, unless set. */
     public static final int DEFAULT_RESOLUTION = 200;
     /** The z of the centre of projection, unless set. */
@@ -119,19 +119,24 @@ public final class SimpleCamera {
      * @return a new ray from the centre of projection, of unit direction
      */
     public Ray ray(int x, int y) {
-        double wx = xmin + (x + 0.5) * (xmax - xmin) / width;
-        double wy = ymax - (y + 0.5) * (ymax - ymin) / height;
+        return through(x + 0.5, y + 0.5);
+    }
+
+    @Override
+    public Ray through(double px, double py) {
+        double wx = xmin + px * (xmax - xmin) / width;
+        double wy = ymax - py * (ymax - ymin) / height;
         Vector direction = new Vector(wx, wy, -cop);
         direction.normalise();
         return new Ray(new Point(0, 0, cop), direction);
     }
 
-    /** {@return the width of the picture in pixels} */
+    @Override
     public int width() {
         return width;
     }
 
-    /** {@return the height of the picture in pixels} */
+    @Override
     public int height() {
         return height;
     }

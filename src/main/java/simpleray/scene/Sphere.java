@@ -1,6 +1,7 @@
 package simpleray.scene;
 
 import java.io.IOException;
+import simpleray.math.Bounds;
 import simpleray.math.Point;
 import simpleray.math.Ray;
 import simpleray.math.Vector;
@@ -71,6 +72,12 @@ public final class Sphere extends Object {
         Vector out = Vector.subtract(p, centre);
         out.normalise();
         return out;
+    }
+
+    @Override
+    public Bounds bounds() {
+        return new Bounds(centre.x - radius, centre.y - radius, centre.z - radius,
+            centre.x + radius, centre.y + radius, centre.z + radius);
     }
 
     @Override

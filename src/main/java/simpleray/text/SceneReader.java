@@ -166,7 +166,20 @@ public final class SceneReader implements Closeable {
      * @throws IOException if the next word is no such integer, or the file cannot be read
      */
     public int readInt(String field, int least) throws IOException {
-        return (int) readInteger(field, least, Integer.MAX_VALUE);
+        return readInt(field, least, Integer.MAX_VALUE);
+    }
+
+    /**
+     * Reads an integer on which the reading of what follows depends: a bad one is never tolerated.
+     *
+     * @param field what it is, for the message
+     * @param least the smallest integer allowed
+     * @param most the largest integer allowed
+     * @return the integer
+     * @throws IOException if the next word is no such integer, or the file cannot be read
+     */
+    public int readInt(String field, int least, int most) throws IOException {
+        return (int) readInteger(field, least, most);
     }
 
     /**
@@ -198,17 +211,14 @@ public final class SceneReader implements Closeable {
     }
 
     /**
-     * Refuses keywords that are known to mean something, but not to this program: they are no headings to be skipped.
+     * Reads a keyword, if one comes next.
      *
-     * @param keywords the keywords
-     * @param wanted what was expected if one comes next
-     * @throws IOException if one does, or the file cannot be read
+     * @param keywords the keywords that may stand here, and so begin no heading
+     * @return the keyword; null if none comes next
+     * @throws IOException if the file cannot be read
      */
-    public void refuse(Set<String> keywords, String wanted) throws IOException {
-        if (words.skip(keywords) && keywords.contains(words.peek())) {
-            last = words.place();
-            throw stop(wanted);
-        }
+    public String takeKeyword(Set<String> keywords) throws IOException {
+        return words.skip(keywords) && keywords.contains(words.peek()) ? word("a keyword", keywords) : null;
     }
 
     /** Begins a group: the values read from here on may be rejected together. */
@@ -280,7 +290,11 @@ public final class SceneReader implements Closeable {
     }
 
     private String word(String field) throws IOException {
-        require(Set.of(), field);
+        return word(field, Set.of());
+    }
+
+    private String word(String field, Set<String> keywords) throws IOException {
+        require(keywords, field);
         last = words.place();
         if (groupStart == null) {
             groupStart = last;

@@ -8,10 +8,9 @@ import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.stream.Collectors;
 import simpleray.image.Picture;
 import simpleray.render.Progress;
-import simpleray.render.RenderSettings;
+import simpleray.render.RenderRequest;
 import simpleray.render.Renderer;
 import simpleray.scene.SceneFile;
-import simpleray.scene.SimpleCamera;
 import simpleray.text.Problem;
 
 /**
@@ -22,8 +21,7 @@ final class Rendering {
     private static final long PATIENCE = 1000;                // milliseconds
 
     private final SceneSource source;
-    private final SimpleCamera camera;
-    private final RenderSettings settings;
+    private final RenderRequest request;
     private final Queue<Row> rows = new ConcurrentLinkedQueue<>();
     private final Thread thread;
 
@@ -56,10 +54,9 @@ final class Rendering {
     record Row(int y, int[] rgb) {
     }
 
-    Rendering(SceneSource source, SimpleCamera camera, RenderSettings settings) {
+    Rendering(SceneSource source, RenderRequest request) {
         this.source = source;
-        this.camera = camera;
-        this.settings = settings;
+        this.request = request;
         thread = new Thread(this::work, "simpleray-rendering");
         thread.setDaemon(true);
     }
@@ -91,8 +88,8 @@ final class Rendering {
         return state;
     }
 
-    RenderSettings settings() {
-        return settings;
+    RenderRequest request() {
+        return request;
     }
 
     /** {@return errors, or warnings once the scene was read; empty for none} */
@@ -150,8 +147,8 @@ final class Rendering {
     }
 
     private State render(SceneFile file) {
-        Renderer current = new Renderer(file.scene(), camera, settings);
-        Progress counter = new Progress(camera.height(), System.nanoTime());
+        Renderer current = request.renderer(file.scene());
+        Progress counter = new Progress(current.picture().height(), System.nanoTime());
         progress = counter;
         renderer = current;
         if (cancelled) {                                      // cancel() came before there was a renderer to tell

@@ -14,7 +14,8 @@ import javax.swing.Scrollable;
 import javax.swing.SwingConstants;
 import javax.swing.Timer;
 import simpleray.image.Picture;
-import simpleray.render.RenderSettings;
+import simpleray.render.RenderRequest;
+import simpleray.scene.SceneSettings.Resolution;
 import simpleray.scene.SimpleCamera;
 
 /**
@@ -29,14 +30,13 @@ public final class SimpleRay extends JComponent implements Runnable, Scrollable 
     private static final int LINE = 16;
     private static final Color SURROUND = new Color(0x3C3F41);
 
-    private final transient SimpleCamera camera;
     private final transient Timer kicker = new Timer(KICK, e -> run());
     private transient SceneSource source;
-    private transient RenderSettings settings;
+    private transient RenderRequest request;
     private transient BufferedImage image;                    // touched by the event thread alone
     private transient Rendering rendering;
     private transient Picture whole;                          // the picture that is shown, once all its rows are
-    private transient boolean shown;                          // a row of this rendering is in the image
+    private transient boolean shown;                                // a row of this rendering is in the image
     private transient boolean fitted;
     private transient Runnable listener = () -> { };
 
@@ -44,22 +44,30 @@ public final class SimpleRay extends JComponent implements Runnable, Scrollable 
      * Creates the component; {@link #init} and {@link #start} follow.
      *
      * @param source the scene, which the applet took from its tag
-     * @param camera the camera, whose resolution is the picture's; kept, and not to be changed
-     * @param settings how to render
+     * @param request what is asked for beside the scene file
      */
-    public SimpleRay(SceneSource source, SimpleCamera camera, RenderSettings settings) {
+    public SimpleRay(SceneSource source, RenderRequest request) {
         this.source = source;
-        this.camera = camera;
-        this.settings = settings;
+        this.request = request;
         setName("picture");
         setOpaque(true);
         setFocusable(true);
+        init();
     }
 
-    /** Makes an empty picture. */
+    /** Makes an empty picture, of the size that was asked for until the scene's file says another. */
     public void init() {
-        image = new BufferedImage(camera.width(), camera.height(), BufferedImage.TYPE_INT_ARGB);
+        Resolution asked = request.settings().resolution;
+        empty(asked == null ? new Resolution(SimpleCamera.DEFAULT_RESOLUTION, SimpleCamera.DEFAULT_RESOLUTION) : asked);
+    }
+
+    private void empty(Resolution size) {
+        boolean same = image != null && image.getWidth() == size.width() && image.getHeight() == size.height();
+        image = new BufferedImage(size.width(), size.height(), BufferedImage.TYPE_INT_ARGB);
         whole = null;
+        if (!same) {
+            revalidate();
+        }
         repaint();
     }
 
@@ -67,7 +75,7 @@ public final class SimpleRay extends JComponent implements Runnable, Scrollable 
     public void start() {
         stop();
         shown = false;
-        rendering = new Rendering(source, camera, settings);
+        rendering = new Rendering(source, request);
         rendering.start();
         kicker.start();
         listener.run();
@@ -92,15 +100,16 @@ public final class SimpleRay extends JComponent implements Runnable, Scrollable 
                 break;
             }
             if (!shown) {                                     // no row of the picture before may pass for one of this
-                init();
+                Picture picture = rendering.picture();
+                empty(new Resolution(picture.width(), picture.height()));
                 shown = true;
             }
-            image.setRGB(0, row.y(), camera.width(), 1, row.rgb(), 0, camera.width());
-            changed.add(new Rectangle(0, row.y(), camera.width(), 1));
+            image.setRGB(0, row.y(), image.getWidth(), 1, row.rgb(), 0, image.getWidth());
+            changed.add(new Rectangle(0, row.y(), image.getWidth(), 1));
         }
         if (!changed.isEmpty()) {
             Rectangle place = place();
-            double scale = place.getWidth() / camera.width();
+            double scale = place.getWidth() / image.getWidth();
             int top = place.y + (int) Math.floor(changed.y * scale) - 1;
             repaint(0, top, getWidth(), (int) Math.ceil(changed.height * scale) + 2);
         }
@@ -145,9 +154,9 @@ public final class SimpleRay extends JComponent implements Runnable, Scrollable 
 
     /** {@return where the picture is: in the middle, at 100 %, or as large as fits} */
     Rectangle place() {
-        double scale = fitted ? Math.min((double) getWidth() / camera.width(), (double) getHeight() / camera.height()) : 1;
-        int width = (int) Math.round(camera.width() * scale);
-        int height = (int) Math.round(camera.height() * scale);
+        double scale = fitted ? Math.min((double) getWidth() / image.getWidth(), (double) getHeight() / image.getHeight()) : 1;
+        int width = (int) Math.round(image.getWidth() * scale);
+        int height = (int) Math.round(image.getHeight() * scale);
         return new Rectangle(Math.max(0, (getWidth() - width) / 2), Math.max(0, (getHeight() - height) / 2), width, height);
     }
 
@@ -159,12 +168,12 @@ public final class SimpleRay extends JComponent implements Runnable, Scrollable 
         return source;
     }
 
-    void setSettings(RenderSettings other) {
-        settings = other;
+    void setRequest(RenderRequest other) {
+        request = other;
     }
 
-    RenderSettings settings() {
-        return settings;
+    RenderRequest request() {
+        return request;
     }
 
     /** Shows the picture as large as fits, or at 100 %. */
@@ -194,8 +203,9 @@ public final class SimpleRay extends JComponent implements Runnable, Scrollable 
         return whole;
     }
 
-    SimpleCamera camera() {
-        return camera;
+    /** {@return the size of what is shown} */
+    Dimension size100() {
+        return new Dimension(image.getWidth(), image.getHeight());
     }
 
     @Override
@@ -216,7 +226,7 @@ public final class SimpleRay extends JComponent implements Runnable, Scrollable 
 
     @Override
     public Dimension getPreferredSize() {
-        return new Dimension(camera.width(), camera.height());
+        return new Dimension(image.getWidth(), image.getHeight());
     }
 
     @Override
@@ -236,11 +246,11 @@ public final class SimpleRay extends JComponent implements Runnable, Scrollable 
 
     @Override
     public boolean getScrollableTracksViewportWidth() {
-        return fitted || getParent().getWidth() > camera.width();
+        return fitted || getParent().getWidth() > image.getWidth();
     }
 
     @Override
     public boolean getScrollableTracksViewportHeight() {
-        return fitted || getParent().getHeight() > camera.height();
+        return fitted || getParent().getHeight() > image.getHeight();
     }
 }

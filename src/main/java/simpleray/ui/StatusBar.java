@@ -1,12 +1,12 @@
 package simpleray.ui;
 
 import java.awt.BorderLayout;
+import java.awt.Dimension;
 import javax.swing.BorderFactory;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JProgressBar;
 import simpleray.render.Progress;
-import simpleray.scene.SimpleCamera;
 
 /** One line that says how far the rendering is: rows done, time gone, time left, size. */
 final class StatusBar extends JPanel {
@@ -33,14 +33,14 @@ final class StatusBar extends JPanel {
         text.setText(message);
     }
 
-    void show(Rendering rendering, SimpleCamera camera) {
+    void show(Rendering rendering, Dimension shown) {
         Progress progress = rendering.progress();
-        int rows = camera.height();
+        int rows = progress == null ? shown.height : progress.rows();
         int done = progress == null ? 0 : progress.finished();
         bar.setMaximum(rows);
         bar.setValue(done);
         bar.setVisible(!rendering.state().ended());
-        size.setText(camera.width() + " \u00D7 " + rows + ", " + rendering.settings().stage());
+        size.setText(shown.width + " \u00D7 " + shown.height + ", " + rendering.request().stage());
         String counted = done + " of " + rows + " rows, " + Progress.time(rendering.seconds());
         text.setText(switch (rendering.state()) {
             case READING -> "Reading the scene";

@@ -8,8 +8,7 @@ import java.lang.reflect.InvocationTargetException;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicReference;
 import javax.swing.SwingUtilities;
-import simpleray.render.RenderSettings;
-import simpleray.scene.SimpleCamera;
+import simpleray.render.RenderRequest;
 
 /** Opens the window. */
 public final class Viewer {
@@ -30,16 +29,15 @@ public final class Viewer {
      * Opens the window, and returns when it was closed and all its threads have ended. Not for the event thread.
      *
      * @param source the scene
-     * @param camera the camera, whose resolution is the picture's
-     * @param settings how to render
+     * @param request what is asked for beside the scene file
      */
-    public static void view(SceneSource source, SimpleCamera camera, RenderSettings settings) {
+    public static void view(SceneSource source, RenderRequest request) {
         CountDownLatch closed = new CountDownLatch(1);
         AtomicReference<ViewerFrame> frame = new AtomicReference<>();
         try {
             SwingUtilities.invokeAndWait(() -> {
                 FlatLightLaf.setup();
-                frame.set(new ViewerFrame(source, camera, settings, closed::countDown));
+                frame.set(new ViewerFrame(source, request, closed::countDown));
                 frame.get().setVisible(true);
             });
             closed.await();

@@ -10,9 +10,8 @@ import javax.swing.JFrame;
 import javax.swing.JScrollPane;
 import javax.swing.JSplitPane;
 import javax.swing.JTextArea;
-import simpleray.render.RenderSettings;
+import simpleray.render.RenderRequest;
 import simpleray.render.Stage;
-import simpleray.scene.SimpleCamera;
 
 /** The window: menus, the picture, problems of the scene if there are any, and a status bar. For the event thread, but for await. */
 final class ViewerFrame extends JFrame {
@@ -29,9 +28,9 @@ final class ViewerFrame extends JFrame {
     private final transient ViewerMenus menus;
     private final transient Runnable closed;
 
-    ViewerFrame(SceneSource source, SimpleCamera camera, RenderSettings settings, Runnable closed) {
+    ViewerFrame(SceneSource source, RenderRequest request, Runnable closed) {
         this.closed = closed;
-        picture = new SimpleRay(source, camera, settings);
+        picture = new SimpleRay(source, request);
         problems.setName("problems");
         problems.getAccessibleContext().setAccessibleName("Problems of the scene");
         problems.setEditable(false);
@@ -57,7 +56,6 @@ final class ViewerFrame extends JFrame {
         setSize(Math.min(screen.width, Math.max(LEAST.width, getWidth())), Math.min(screen.height, Math.max(LEAST.height, getHeight())));
         validate();                                           // problems that are known at once find how high the window is
         setLocationByPlatform(true);
-        picture.init();
         open(source);
     }
 
@@ -79,7 +77,7 @@ final class ViewerFrame extends JFrame {
 
     /** Makes another picture of the scene. */
     void setStage(Stage stage) {
-        picture.setSettings(picture.settings().with(stage));
+        picture.setRequest(picture.request().with(stage));
         render();
     }
 
@@ -113,7 +111,7 @@ final class ViewerFrame extends JFrame {
 
     private void refresh() {
         Rendering rendering = picture.rendering();
-        status.show(rendering, picture.camera());
+        status.show(rendering, picture.size100());
         if (rendering.state() != Rendering.State.READING) {
             showProblems(rendering.problems());
         }

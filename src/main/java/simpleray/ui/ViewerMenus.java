@@ -71,7 +71,7 @@ final class ViewerMenus {
 
     private void addStage(JMenu menu, ButtonGroup one, ViewerFrame frame, Stage stage, String name, String key) {
         JRadioButtonMenuItem item = radio(one, action(name, key, () -> frame.setStage(stage)));
-        item.setSelected(frame.picture().settings().stage() == stage);
+        item.setSelected(frame.picture().request().stage() == stage);
         menu.add(item);
     }
 

@@ -23,7 +23,7 @@ import simpleray.scene.SimpleCamera;
 /** Options change the picture as the same settings made by the program's classes do. */
 class RenderOptionsTest {
     private static final Path THESIS = Project.scene("thesis");
-    private static final RenderSettings DEFAULTS = new RenderSettings(Stage.FINAL, 10, 2);
+    private static final RenderSettings DEFAULTS = new RenderSettings(Stage.FINAL, 10, 1, 2);
 
     @TempDir
     Path folder;

@@ -13,27 +13,27 @@ class RenderSettingsTest {
     @Test
     void theDefaultsAreFinalDepthTenAndAThreadForEachProcessor() {
         assertThat(new RenderSettings())
-            .isEqualTo(new RenderSettings(Stage.FINAL, 10, Runtime.getRuntime().availableProcessors()));
+            .isEqualTo(new RenderSettings(Stage.FINAL, 10, 1, Runtime.getRuntime().availableProcessors()));
     }
 
     @Test
     void anotherStageLeavesTheRestAsItIs() {
-        assertThat(new RenderSettings(Stage.FINAL, 3, 5).with(Stage.DIFFUSE)).isEqualTo(new RenderSettings(Stage.DIFFUSE, 3, 5));
+        assertThat(new RenderSettings(Stage.FINAL, 3, 1, 5).with(Stage.DIFFUSE)).isEqualTo(new RenderSettings(Stage.DIFFUSE, 3, 1, 5));
     }
 
     @ParameterizedTest
     @ValueSource(ints = {-1, 1001, Integer.MIN_VALUE})
     void theDepthIsFromZeroToAThousand(int depth) {
-        assertThat(new RenderSettings(Stage.FINAL, 0, 1).depth()).isZero();
-        assertThat(new RenderSettings(Stage.FINAL, 1000, 1).depth()).isEqualTo(1000);
-        assertThatThrownBy(() -> new RenderSettings(Stage.FINAL, depth, 1)).isInstanceOf(IllegalArgumentException.class)
+        assertThat(new RenderSettings(Stage.FINAL, 0, 1, 1).depth()).isZero();
+        assertThat(new RenderSettings(Stage.FINAL, 1000, 1, 1).depth()).isEqualTo(1000);
+        assertThatThrownBy(() -> new RenderSettings(Stage.FINAL, depth, 1, 1)).isInstanceOf(IllegalArgumentException.class)
             .hasMessage("the depth must be 0 to 1000, and is " + depth);
     }
 
     @ParameterizedTest
     @ValueSource(ints = {0, -1})
     void atLeastOneThreadWorks(int threads) {
-        assertThatThrownBy(() -> new RenderSettings(Stage.FINAL, 10, threads)).isInstanceOf(IllegalArgumentException.class)
+        assertThatThrownBy(() -> new RenderSettings(Stage.FINAL, 10, 1, threads)).isInstanceOf(IllegalArgumentException.class)
             .hasMessage("the number of threads must be 1 or more, and is " + threads);
     }
 

@@ -36,7 +36,7 @@ class RendererEndTest {
             await(open);
             return Object.MISS;
         });
-        Renderer renderer = new Renderer(gate.alone(), new SimpleCamera(10, 10), new RenderSettings(Stage.FINAL, 0, 1));
+        Renderer renderer = new Renderer(gate.alone(), new SimpleCamera(10, 10), new RenderSettings(Stage.FINAL, 0, 1, 1));
         List<Integer> heard = new CopyOnWriteArrayList<>();
         ExecutorService executor = Executors.newSingleThreadExecutor();
         try {
@@ -58,7 +58,7 @@ class RendererEndTest {
 
     @Test
     void cancellingBetweenRowsKeepsThoseThatAreFinished() {
-        Renderer renderer = new Renderer(new Scene(), new SimpleCamera(2, 10), new RenderSettings(Stage.FINAL, 0, 1));
+        Renderer renderer = new Renderer(new Scene(), new SimpleCamera(2, 10), new RenderSettings(Stage.FINAL, 0, 1, 1));
         List<Integer> heard = new CopyOnWriteArrayList<>();
 
         assertThatThrownBy(() -> renderer.render(y -> {
@@ -87,7 +87,7 @@ class RendererEndTest {
     @Test
     void anInterruptOfTheCallerEndsEvenAnEndlessRendering() {
         Obstacle obstacle = new Obstacle(ray -> Object.MISS);
-        Renderer renderer = new Renderer(obstacle.alone(), new SimpleCamera(ENDLESS, ENDLESS), new RenderSettings(Stage.FINAL, 0, 2));
+        Renderer renderer = new Renderer(obstacle.alone(), new SimpleCamera(ENDLESS, ENDLESS), new RenderSettings(Stage.FINAL, 0, 1, 2));
         Thread.currentThread().interrupt();
 
         assertThatThrownBy(() -> renderer.render(RenderListener.NONE)).isInstanceOf(CancellationException.class);
@@ -99,7 +99,7 @@ class RendererEndTest {
     @Test
     void cancellingEndsAllThreadsOfAnEndlessRendering() {
         Obstacle obstacle = new Obstacle(ray -> Object.MISS);
-        Renderer renderer = new Renderer(obstacle.alone(), new SimpleCamera(1, ENDLESS), new RenderSettings(Stage.FINAL, 0, 3));
+        Renderer renderer = new Renderer(obstacle.alone(), new SimpleCamera(1, ENDLESS), new RenderSettings(Stage.FINAL, 0, 1, 3));
 
         assertThatThrownBy(() -> renderer.render(y -> renderer.cancel())).isInstanceOf(CancellationException.class);
 

@@ -27,7 +27,7 @@ class RendererFaultTest {
             end(thrower.get());                               // whoever goes on after that has not been told to end
             return Object.MISS;
         });
-        Renderer renderer = new Renderer(obstacle.alone(), new SimpleCamera(1, 100), new RenderSettings(Stage.FINAL, 0, threads));
+        Renderer renderer = new Renderer(obstacle.alone(), new SimpleCamera(1, 100), new RenderSettings(Stage.FINAL, 0, 1, threads));
 
         assertThatThrownBy(() -> renderer.render(RenderListener.NONE)).isSameAs(fault);
 

@@ -20,6 +20,7 @@ import simpleray.math.Vector;
 import simpleray.scene.Object;
 import simpleray.scene.Plane;
 import simpleray.scene.Scene;
+import simpleray.scene.SceneSettings;
 import simpleray.scene.SimpleCamera;
 import simpleray.scene.ThesisScene;
 
@@ -34,7 +35,7 @@ class RendererTest {
         Scene scene = ThesisScene.read();
         SimpleCamera camera = new SimpleCamera(WIDTH, HEIGHT);
 
-        Picture picture = new Renderer(scene, camera, new RenderSettings(stage, DEPTH, 2)).render(RenderListener.NONE);
+        Picture picture = new Renderer(scene, camera, new RenderSettings(stage, DEPTH, 1, 2)).render(RenderListener.NONE);
 
         assertThat(picture.width()).isEqualTo(WIDTH);
         assertThat(picture.height()).isEqualTo(HEIGHT);
@@ -56,8 +57,8 @@ class RendererTest {
     void thePictureDoesNotDependOnTheNumberOfThreads(int threads) throws IOException {
         Scene scene = ThesisScene.read();
         SimpleCamera camera = new SimpleCamera(WIDTH, HEIGHT);
-        RenderSettings one = new RenderSettings(Stage.FINAL, DEPTH, 1);
-        RenderSettings many = new RenderSettings(Stage.FINAL, DEPTH, threads);
+        RenderSettings one = new RenderSettings(Stage.FINAL, DEPTH, 1, 1);
+        RenderSettings many = new RenderSettings(Stage.FINAL, DEPTH, 1, threads);
 
         Picture byOne = new Renderer(scene, camera, one).render(RenderListener.NONE);
         Picture byMany = new Renderer(scene, camera, many).render(RenderListener.NONE);
@@ -69,7 +70,7 @@ class RendererTest {
 
     @Test
     void aListenerHearsEveryRowOnceWhenItIsThere() {
-        Renderer renderer = new Renderer(new Scene(), new SimpleCamera(3, 100), new RenderSettings(Stage.FINAL, 0, 4));
+        Renderer renderer = new Renderer(new Scene(), new SimpleCamera(3, 100), new RenderSettings(Stage.FINAL, 0, 1, 4));
         List<Integer> heard = new CopyOnWriteArrayList<>();
         List<Integer> missing = new CopyOnWriteArrayList<>();
 
@@ -93,12 +94,12 @@ class RendererTest {
     }
 
     @ParameterizedTest
-    @ValueSource(ints = {0, 1, 3, RenderSettings.MOST_DEPTH})
+    @ValueSource(ints = {0, 1, 3, SceneSettings.MOST_DEPTH})
     void theDepthIsThatOfTheSettingsAndTheStackHoldsTheDeepest(int depth) {
         // two mirrors of Ka = Ks = 1 face each other along the axis of the one ray: each reflection adds 1
-        Scene scene = facingMirrors(RenderSettings.MOST_DEPTH);
+        Scene scene = facingMirrors(SceneSettings.MOST_DEPTH);
 
-        Picture picture = new Renderer(scene, new SimpleCamera(1, 1), new RenderSettings(Stage.FINAL, depth, 1))
+        Picture picture = new Renderer(scene, new SimpleCamera(1, 1), new RenderSettings(Stage.FINAL, depth, 1, 1))
             .render(RenderListener.NONE);
 
         assertThat(picture.row(0)).containsExactly(1 + depth, 1 + depth, 1 + depth);
@@ -118,7 +119,7 @@ class RendererTest {
             return Object.MISS;
         });
 
-        new Renderer(obstacle.alone(), new SimpleCamera(1, 3), new RenderSettings(Stage.FINAL, 0, 3)).render(RenderListener.NONE);
+        new Renderer(obstacle.alone(), new SimpleCamera(1, 3), new RenderSettings(Stage.FINAL, 0, 1, 3)).render(RenderListener.NONE);
 
         assertThat(obstacle.threads).hasSize(3).allMatch(Thread::isDaemon).noneMatch(Thread::isAlive);
     }
@@ -127,7 +128,7 @@ class RendererTest {
     void moreThreadsThanRowsRenderTheSame() {
         Obstacle obstacle = new Obstacle(ray -> Object.MISS);
 
-        Picture picture = new Renderer(obstacle.alone(), new SimpleCamera(5, 2), new RenderSettings(Stage.FINAL, 0, 7))
+        Picture picture = new Renderer(obstacle.alone(), new SimpleCamera(5, 2), new RenderSettings(Stage.FINAL, 0, 1, 7))
             .render(RenderListener.NONE);
 
         assertThat(picture.row(0)).isNotNull();

@@ -77,12 +77,12 @@ class SceneReaderHeadingsTest {
     }
 
     @Test
-    void aKeywordIsRefusedWhereItCouldStand() throws IOException {
+    void aKeywordIsTakenWhereItMayStand() throws IOException {
         SceneReader is = reader("1\n  window 0 1 0 1\n");
         is.readInt();
 
-        assertThatThrownBy(() -> is.refuse(KEYWORDS, "the end")).isInstanceOf(SceneFormatException.class).hasMessage(
-            "<stdin>:2:3: error: expected the end, found 'window'\n  window 0 1 0 1\n  ^");
+        assertThat(is.takeKeyword(KEYWORDS)).isEqualTo("window");
+        assertThat(is.readInt()).isZero();
         assertThat(is.warnings()).isEmpty();
     }
 
@@ -91,20 +91,20 @@ class SceneReaderHeadingsTest {
         SceneReader is = reader("window\n1\nWindow\nwindows\n2");
         is.readInt();
 
-        is.refuse(KEYWORDS, "the end");
+        assertThat(is.takeKeyword(KEYWORDS)).isNull();
 
         assertThat(is.readInt()).isEqualTo(2);
         assertThat(is.warnings()).extracting(Problem::line).containsExactly(1, 3, 4);
     }
 
     @Test
-    void nothingIsRefusedAtTheEndOfTheFileOrBeforeAValue() throws IOException {
+    void noKeywordIsTakenAtTheEndOfTheFileOrBeforeAValue() throws IOException {
         SceneReader is = reader("1 2");
         is.readInt();
-        is.refuse(KEYWORDS, "the end");
+        assertThat(is.takeKeyword(KEYWORDS)).isNull();
         assertThat(is.readInt()).isEqualTo(2);
 
-        is.refuse(KEYWORDS, "the end");
+        assertThat(is.takeKeyword(KEYWORDS)).isNull();
 
         assertThat(is.eof()).isTrue();
     }

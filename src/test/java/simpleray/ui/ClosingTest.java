@@ -109,7 +109,7 @@ class ClosingTest {
     }
 
     private static Thread view(SceneSource source, int side) {
-        Thread viewing = new Thread(() -> Viewer.view(source, new SimpleCamera(side, side), new RenderSettings()));
+        Thread viewing = new Thread(() -> Viewer.view(source, OpenWindow.request(side, side)));
         viewing.start();
         return viewing;
     }

@@ -24,8 +24,9 @@ import javax.swing.JMenuItem;
 import javax.swing.JScrollPane;
 import javax.swing.SwingUtilities;
 import javax.swing.text.JTextComponent;
-import simpleray.render.RenderSettings;
-import simpleray.scene.SimpleCamera;
+import simpleray.render.RenderRequest;
+import simpleray.render.Stage;
+import simpleray.scene.SceneSettings;
 
 /** A window for a test. All methods are for the test's thread unless they say otherwise. */
 final class OpenWindow implements AutoCloseable {
@@ -42,13 +43,20 @@ final class OpenWindow implements AutoCloseable {
     OpenWindow(SceneSource source, int width, int height, Consumer<ViewerFrame> first) {
         frame = ask(() -> {
             FlatLightLaf.setup();
-            ViewerFrame made = new ViewerFrame(source, new SimpleCamera(width, height), new RenderSettings(), () -> closed.set(true));
+            ViewerFrame made = new ViewerFrame(source, request(width, height), () -> closed.set(true));
             first.accept(made);
             made.setVisible(true);
             made.toFront();
             return made;
         });
         Screen.until("the window has the keys", () -> frame.isFocused() && frame.getFocusOwner() != null);
+    }
+
+    /** {@return a request for a picture of that size, with nothing else asked for} */
+    static RenderRequest request(int width, int height) {
+        SceneSettings settings = new SceneSettings();
+        settings.resolution = new SceneSettings.Resolution(width, height);
+        return new RenderRequest(settings, Stage.FINAL, false, Runtime.getRuntime().availableProcessors());
     }
 
     /** {@return what the event thread answers} */

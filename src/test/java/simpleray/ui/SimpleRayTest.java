@@ -97,7 +97,7 @@ class SimpleRayTest {
 
     private void show(SceneSource source) {
         OpenWindow.run(() -> {
-            ray = new SimpleRay(source, new SimpleCamera(SIDE, SIDE), new RenderSettings());
+            ray = new SimpleRay(source, OpenWindow.request(SIDE, SIDE));
             frame.add(ray);
             frame.pack();
             frame.setSize(new Dimension(SIDE, SIDE));

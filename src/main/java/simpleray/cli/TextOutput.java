@@ -1,0 +1,72 @@
+package simpleray.cli;
+
+import java.io.IOException;
+import java.nio.file.FileSystemException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import simpleray.text.SceneWriter;
+import simpleray.text.WholeFile;
+
+/** Writes text to a file or to standard output. */
+final class TextOutput {
+    private TextOutput() {
+    }
+
+    /** Something that writes text. */
+    interface Text {
+        void write(SceneWriter out) throws IOException;
+    }
+
+    /**
+     * Writes a text whole, or not at all.
+     *
+     * @param name a path, or - for standard output
+     * @throws Failure if the output cannot be created or written
+     */
+    static void write(Main main, String name, Text text) throws Failure {
+        if (name.equals(SceneArgument.STREAM)) {
+            try {
+                SceneWriter writer = new SceneWriter(main.out());
+                text.write(writer);
+                writer.flush();
+            } catch (IOException e) {
+                throw new Failure(ExitCode.WRITE_ERROR, "simpleray: standard output cannot be written: " + e.getMessage());
+            }
+            return;
+        }
+        try (WholeFile file = begin(name)) {
+            SceneWriter writer = new SceneWriter(file.out());
+            text.write(writer);
+            writer.flush();
+            file.commit();
+        } catch (IOException e) {
+            throw new Failure(ExitCode.WRITE_ERROR, "simpleray: " + name + ": cannot be written: " + e.getMessage());
+        }
+    }
+
+    /**
+     * Begins a file.
+     *
+     * @throws Failure if it cannot be created
+     */
+    static WholeFile begin(String name) throws Failure {
+        try {
+            return new WholeFile(Path.of(name));
+        } catch (FileSystemException e) {
+            String reason = e.getReason() != null ? e.getReason() : e.getClass().getSimpleName().replace("Exception", "");
+            throw new Failure(ExitCode.NO_OUTPUT, "simpleray: " + name + ": cannot be created: " + reason);
+        } catch (IOException e) {
+            throw new Failure(ExitCode.NO_OUTPUT, "simpleray: " + name + ": cannot be created: " + e.getMessage());
+        }
+    }
+
+    /** {@return whether both name the same file, so that writing one would lose the other} */
+    static boolean isSame(String one, String other) {
+        try {
+            return !one.equals(SceneArgument.STREAM) && !other.equals(SceneArgument.STREAM)
+                && Files.exists(Path.of(other)) && Files.isSameFile(Path.of(one), Path.of(other));
+        } catch (IOException e) {
+            return false;                                     // then opening it says what is wrong
+        }
+    }
+}

@@ -1,0 +1,32 @@
+package simpleray.render;
+
+import simpleray.math.Colour;
+
+/** The mean of n × n points of a pixel, the centres of its sub-cells, each clamped; for n = 1 its centre, not clamped. */
+final class GridSampler implements Sampler {
+    private final Tracer tracer;
+    private final int n;
+
+    GridSampler(Tracer tracer, int n) {
+        this.tracer = tracer;
+        this.n = n;
+    }
+
+    @Override
+    public void pixel(int x, int y, Colour colour) {
+        if (n == 1) {
+            tracer.trace(x + 0.5, y + 0.5, colour);
+            return;
+        }
+        Colour sample = new Colour();
+        colour.reset();
+        for (int j = 0; j < n; j++) {
+            for (int i = 0; i < n; i++) {
+                tracer.trace(x + (i + 0.5) / n, y + (j + 0.5) / n, sample);
+                sample.clamp();
+                colour.add(sample);
+            }
+        }
+        colour.scale(1.0 / (n * n));
+    }
+}

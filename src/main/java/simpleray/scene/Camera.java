@@ -1,0 +1,21 @@
+package simpleray.scene;
+
+import simpleray.math.Ray;
+
+/** A viewer: makes the rays that go through a picture. Any thread may ask once it is set up. */
+public interface Camera {
+    /** {@return the width of the picture in pixels} */
+    int width();
+
+    /** {@return the height of the picture in pixels} */
+    int height();
+
+    /**
+     * Finds the ray through a point of the picture.
+     *
+     * @param px pixels from the left edge: the centre of the left column is at 0.5
+     * @param py pixels from the top edge: the centre of the top row is at 0.5
+     * @return a new ray of unit direction
+     */
+    Ray through(double px, double py);
+}

@@ -1,0 +1,201 @@
+package simpleray.scene;
+
+import java.io.IOException;
+import java.util.HashSet;
+import java.util.Set;
+import simpleray.math.Colour;
+import simpleray.text.SceneReader;
+import simpleray.text.SceneWriter;
+
+/**
+ * What a scene file, or who renders it, asks of camera and renderer; null is not asked for. <em>Mutable.</em>
+ */
+public final class SceneSettings {
+    /** The longest side of a picture in pixels. */
+    public static final int MOST_RESOLUTION = 65535;
+    /** The most reflections of a primary ray; each takes a piece of a thread's stack. */
+    public static final int MOST_DEPTH = 1000;
+    /** The most samples of a pixel, along each side. */
+    public static final int MOST_SAMPLES = 16;
+
+    private static final Set<String> KEYWORDS = Set.of("background", "window", "cop", "camera", "resolution", "depth", "samples");
+
+    /** What a ray that hits nothing sees. */
+    public Colour background;
+    /** The viewport window of {@link SimpleCamera}. */
+    public Window window;
+    /** The centre of projection of {@link SimpleCamera}, above 0. */
+    public Double cop;
+    /** A {@link PerspectiveCamera}, instead of these two. */
+    public PerspectiveCamera.Pose camera;
+    /** The size of the picture. */
+    public Resolution resolution;
+    /** The most reflections of a primary ray, 0 to {@link #MOST_DEPTH}. */
+    public Integer depth;
+    /** Samples along each side of a pixel, 1 to {@link #MOST_SAMPLES}. */
+    public Integer samples;
+
+    /** Creates settings that ask for nothing. */
+    public SceneSettings() {
+    }
+
+    /**
+     * A viewport window on the XY plane.
+     *
+     * @param xmin the left edge
+     * @param xmax the right edge, above xmin
+     * @param ymin the lower edge
+     * @param ymax the upper edge, above ymin
+     */
+    public record Window(double xmin, double xmax, double ymin, double ymax) {
+    }
+
+    /**
+     * The size of a picture.
+     *
+     * @param width in pixels, 1 to {@link #MOST_RESOLUTION}
+     * @param height in pixels, likewise
+     */
+    public record Resolution(int width, int height) {
+    }
+
+    /**
+     * Puts other settings above these: what they ask for wins. A camera and a centre of projection or window exclude each other.
+     *
+     * @param other the settings that win
+     * @return new settings
+     */
+    public SceneSettings under(SceneSettings other) {
+        SceneSettings both = new SceneSettings();
+        boolean simple = other.cop != null || other.window != null;
+        both.background = first(other.background, background);
+        both.window = other.camera != null ? null : first(other.window, window);
+        both.cop = other.camera != null ? null : first(other.cop, cop);
+        both.camera = simple ? null : first(other.camera, camera);
+        both.resolution = first(other.resolution, resolution);
+        both.depth = first(other.depth, depth);
+        both.samples = first(other.samples, samples);
+        return both;
+    }
+
+    /**
+     * Makes the camera that is asked for.
+     *
+     * @return a new camera
+     * @throws IllegalArgumentException if something about it is out of its range
+     */
+    public Camera newCamera() {
+        int width = resolution == null ? SimpleCamera.DEFAULT_RESOLUTION : resolution.width;
+        int height = resolution == null ? SimpleCamera.DEFAULT_RESOLUTION : resolution.height;
+        if (camera != null) {
+            return new PerspectiveCamera(camera, width, height);
+        }
+        SimpleCamera simple = new SimpleCamera(width, height);
+        if (cop != null) {
+            simple.setCOP(cop);
+        }
+        if (window != null) {
+            simple.setVPWindow(window.xmin, window.xmax, window.ymin, window.ymax);
+        }
+        return simple;
+    }
+
+    /** Reads keywords and their values as long as they come. */
+    void read(SceneReader is) throws IOException {
+        Set<String> seen = new HashSet<>();
+        for (String word = is.takeKeyword(KEYWORDS); word != null; word = is.takeKeyword(KEYWORDS)) {
+            if (!seen.add(word)) {
+                is.reject("keyword " + word + " only once");
+            }
+            if (word.equals("camera") ? seen.contains("window") || seen.contains("cop") : seen.contains("camera") && isSimple(word)) {
+                is.reject("either a camera, or a window and a cop");
+            }
+            is.enter(word + "'s");
+            readValue(is, word);
+            is.leave();
+        }
+    }
+
+    private static boolean isSimple(String word) {
+        return word.equals("window") || word.equals("cop");
+    }
+
+    private void readValue(SceneReader is, String word) throws IOException {
+        switch (word) {
+            case "background" -> {
+                background = new Colour();
+                background.read(is);
+            }
+            case "window" -> window = readWindow(is);
+            case "cop" -> {
+                cop = is.readDouble("z");
+                if (cop <= 0) {
+                    is.reject("z above 0");
+                }
+            }
+            case "camera" -> camera = readCamera(is);
+            case "resolution" -> resolution = new Resolution(
+                is.readInt("width", 1, MOST_RESOLUTION), is.readInt("height", 1, MOST_RESOLUTION));
+            case "depth" -> depth = is.readInt("number", 0, MOST_DEPTH);
+            default -> samples = is.readInt("number", 1, MOST_SAMPLES);
+        }
+    }
+
+    private static Window readWindow(SceneReader is) throws IOException {
+        is.group();
+        Window w = new Window(is.readDouble("xmin"), is.readDouble("xmax"), is.readDouble("ymin"), is.readDouble("ymax"));
+        if (w.xmin >= w.xmax || w.ymin >= w.ymax) {
+            is.rejectGroup("xmin below its xmax and ymin below its ymax");
+        }
+        return w;
+    }
+
+    private static PerspectiveCamera.Pose readCamera(SceneReader is) throws IOException {
+        is.group();
+        PerspectiveCamera.Pose pose = new PerspectiveCamera.Pose(is.readDouble("eye x"), is.readDouble("eye y"), is.readDouble("eye z"),
+            is.readDouble("look-at x"), is.readDouble("look-at y"), is.readDouble("look-at z"), is.readDouble("field of view"));
+        if (PerspectiveCamera.Pose.FOV.equals(pose.fault()) && !Double.isNaN(pose.fov())) {
+            is.reject(PerspectiveCamera.Pose.FOV);
+        } else if (PerspectiveCamera.Pose.LOOK_AT.equals(pose.fault())) {
+            is.rejectGroup(PerspectiveCamera.Pose.LOOK_AT);
+        }
+        return pose;
+    }
+
+    /** Writes what is asked for, a line each, so that {@link #read} gets the same. */
+    void write(SceneWriter os) throws IOException {
+        if (background != null) {
+            line(os, "background", background.r, background.g, background.b);
+        }
+        if (window != null) {
+            line(os, "window", window.xmin, window.xmax, window.ymin, window.ymax);
+        }
+        if (cop != null) {
+            line(os, "cop", cop);
+        }
+        if (camera != null) {
+            line(os, "camera", camera.ex(), camera.ey(), camera.ez(), camera.lx(), camera.ly(), camera.lz(), camera.fov());
+        }
+        if (resolution != null) {
+            os.writeString("resolution " + resolution.width + ' ' + resolution.height + '\n');
+        }
+        if (depth != null) {
+            os.writeString("depth " + depth + '\n');
+        }
+        if (samples != null) {
+            os.writeString("samples " + samples + '\n');
+        }
+    }
+
+    private static void line(SceneWriter os, String keyword, double... values) throws IOException {
+        os.writeString(keyword + ' ');
+        for (double value : values) {
+            os.writeDouble(value);
+        }
+        os.writeNewline();
+    }
+
+    private static <T> T first(T one, T other) {
+        return one != null ? one : other;
+    }
+}
