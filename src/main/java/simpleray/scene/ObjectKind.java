@@ -4,7 +4,8 @@ package simpleray.scene;
 final class ObjectKind {
     static final KindTable<Object> TABLE = new KindTable<Object>("object")
         .add(0, "sphere", Sphere.class, Sphere::new)
-        .add(1, "plane", Plane.class, Plane::new);
+        .add(1, "plane", Plane.class, Plane::new)
+        .add(2, "triangle", Triangle.class, Triangle::new);
 
     private ObjectKind() {
     }

@@ -52,6 +52,10 @@ final class SceneBits {
         } else if (object instanceof Plane plane) {
             add(plane.normal);
             bits.add(plane.constant);
+        } else if (object instanceof Triangle triangle) {
+            add(new Vector(triangle.a));
+            add(new Vector(triangle.b));
+            add(new Vector(triangle.c));
         } else {
             throw new IllegalArgumentException("no bits known of " + object.getClass());
         }

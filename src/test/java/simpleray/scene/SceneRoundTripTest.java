@@ -63,19 +63,27 @@ class SceneRoundTripTest {
     private static Scene random(Random random) {
         Object[] objects = new Object[random.nextInt(5)];
         for (int i = 0; i < objects.length; i++) {
-            objects[i] = random.nextBoolean() ? new Plane(material(random), vector(random), number(random))
-                : new Sphere(material(random), new Point(number(random), number(random), number(random)), above(random));
+            objects[i] = object(random);
         }
         Scene scene = Scenes.of(objects);
         scene.ambient = colour(random);
         Light[] lights = new Light[random.nextInt(4)];
         for (int i = 0; i < lights.length; i++) {
             lights[i] = random.nextBoolean() ? new DirectionalLight(vector(random))
-                : new PointLight(new Point(number(random), number(random), number(random)));
+                : new PointLight(point(random));
             lights[i].intensity = colour(random);
         }
         Scenes.light(scene, lights);
         return scene;
+    }
+
+    private static Object object(Random random) {
+        Material material = material(random);
+        return switch (random.nextInt(3)) {
+            case 0 -> new Plane(material, vector(random), number(random));
+            case 1 -> new Triangle(material, near(random), near(random), near(random));
+            default -> new Sphere(material, point(random), above(random));
+        };
     }
 
     private static Material material(Random random) {
@@ -88,6 +96,15 @@ class SceneRoundTripTest {
 
     private static Vector vector(Random random) {
         return new Vector(number(random), above(random), number(random));
+    }
+
+    private static Point point(Random random) {
+        return new Point(number(random), number(random), number(random));
+    }
+
+    /** {@return a point near the origin: three of them are hardly ever on one line} */
+    private static Point near(Random random) {
+        return new Point(random.nextGaussian(), random.nextGaussian(), random.nextGaussian());
     }
 
     private static double above(Random random) {

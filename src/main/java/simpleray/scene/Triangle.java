@@ -1,0 +1,191 @@
+package simpleray.scene;
+
+import java.io.IOException;
+import simpleray.math.Bounds;
+import simpleray.math.Point;
+import simpleray.math.Ray;
+import simpleray.math.Vector;
+import simpleray.text.SceneReader;
+import simpleray.text.SceneWriter;
+
+/** A triangle. Both sides can be seen; outward is the side from which its vertices run counter-clockwise. */
+public final class Triangle extends Object {
+    /** How much of a sum of products may be the rounding of its factors: four half units in the last place. */
+    private static final double ROUNDING = 0x1p-51;
+
+    /** The first vertex. */
+    public Point a;
+    /** The second vertex. */
+    public Point b;
+    /** The third vertex; the three are not on one line. */
+    public Point c;
+
+    /** Creates half of the unit square of the XY plane, its outside towards the viewer, of the default material. */
+    public Triangle() {
+        this(new Material(), new Point(), new Point(1, 0, 0), new Point(0, 1, 0));
+    }
+
+    /**
+     * Creates a triangle. The values are referenced, not copied.
+     *
+     * @param n the material
+     * @param a the first vertex
+     * @param b the second vertex
+     * @param c the third vertex, not on one line with the others
+     */
+    public Triangle(Material n, Point a, Point b, Point c) {
+        super(n);
+        this.a = a;
+        this.b = b;
+        this.c = c;
+    }
+
+    /**
+     * {@inheritDoc} A ray through an edge or a vertex hits; one within the triangle's own plane misses.
+     *
+     * <p>No ray slips between two triangles that share an edge, in whichever order each names its vertices: Woop, Benthin and Wald,
+     * "Watertight Ray/Triangle Intersection", Journal of Computer Graphics Techniques 2(1), 2013.
+     */
+    @Override
+    public double intersect(Ray ray) {
+        Seen p = Seen.of(a, ray);
+        Seen q = Seen.of(b, ray);
+        Seen r = Seen.of(c, ray);
+        double u = edge(q, r);
+        double v = edge(r, p);
+        double w = edge(p, q);
+        if (!(u >= 0 && v >= 0 && w >= 0 || u <= 0 && v <= 0 && w <= 0)) {
+            return MISS;
+        }
+        double t = (u * p.t + v * q.t + w * r.t) / (u + v + w);
+        return t > THRESHOLD && t < Double.POSITIVE_INFINITY ? t : MISS;
+    }
+
+    /**
+     * A vertex as the ray sees it: sheared and scaled so that the ray runs from the origin along the third axis, 1 at a time. It
+     * depends on the vertex and the ray alone, and so is the same for each triangle there. <em>Constant.</em>
+     */
+    private record Seen(double x, double y, double t) {
+        static Seen of(Point vertex, Ray ray) {
+            Vector d = ray.direction;
+            double x = vertex.x - ray.origin.x;
+            double y = vertex.y - ray.origin.y;
+            double z = vertex.z - ray.origin.z;
+            double dx = Math.abs(d.x);
+            double dy = Math.abs(d.y);
+            double dz = Math.abs(d.z);
+            if (dz >= dx && dz >= dy) {
+                return new Seen(x - d.x / d.z * z, y - d.y / d.z * z, z / d.z);
+            }
+            return dy >= dx ? new Seen(z - d.z / d.y * y, x - d.x / d.y * y, y / d.y)
+                : new Seen(y - d.y / d.x * x, z - d.z / d.x * x, x / d.x);
+        }
+    }
+
+    /**
+     * Finds on which side of an edge the ray passes.
+     *
+     * @return twice the area that edge and ray span; its sign is exact, and the opposite for (q, p), on which all depends
+     */
+    private static double edge(Seen p, Seen q) {
+        double one = p.x * q.y;
+        double other = p.y * q.x;
+        if (one != other) {                                   // rounding never swaps the two, at most it makes them equal
+            return one - other;
+        }
+        return Math.fma(p.x, q.y, -one) - Math.fma(p.y, q.x, -other);
+    }
+
+    @Override
+    public Vector normal(Point p) {
+        Point[] v = scaled();
+        Vector out = Vector.cross(Vector.subtract(v[1], v[0]), Vector.subtract(v[2], v[0]));
+        out.normalise();
+        return out;
+    }
+
+    /** {@return the vertices, scaled by a power of two so that products of small or large ones are no 0 or infinity} */
+    private Point[] scaled() {
+        double largest = Math.max(largest(a), Math.max(largest(b), largest(c)));
+        double scale = Math.scalb(1.0, -Math.getExponent(largest));
+        return new Point[] {scaled(a, scale), scaled(b, scale), scaled(c, scale)};
+    }
+
+    private static double largest(Point p) {
+        return Math.max(Math.abs(p.x), Math.max(Math.abs(p.y), Math.abs(p.z)));
+    }
+
+    private static Point scaled(Point p, double scale) {
+        return new Point(p.x * scale, p.y * scale, p.z * scale);
+    }
+
+    /** {@return whether the vertices are on one line, or would be but for the rounding of their decimals} */
+    private boolean isFlat() {
+        Point[] v = scaled();
+        return isFlat(v[0].x, v[0].y, v[1].x, v[1].y, v[2].x, v[2].y)
+            && isFlat(v[0].y, v[0].z, v[1].y, v[1].z, v[2].y, v[2].z)
+            && isFlat(v[0].z, v[0].x, v[1].z, v[1].x, v[2].z, v[2].x);
+    }
+
+    /** {@return whether rounding may be all there is to the area of a triangle in a plane} */
+    private static boolean isFlat(double ax, double ay, double bx, double by, double cx, double cy) {
+        double ux = bx - ax;
+        double uy = by - ay;
+        double vx = cx - ax;
+        double vy = cy - ay;
+        double doubt = sum(ax, bx) * Math.abs(vy) + Math.abs(ux) * sum(ay, cy) + sum(ay, by) * Math.abs(vx) + Math.abs(uy) * sum(ax, cx);
+        return Math.abs(ux * vy - uy * vx) <= ROUNDING * doubt;
+    }
+
+    private static double sum(double x, double y) {
+        return Math.abs(x) + Math.abs(y);
+    }
+
+    @Override
+    public Bounds bounds() {
+        return Bounds.of(a, b, c);
+    }
+
+    @Override
+    public void print(SceneWriter os) throws IOException {
+        os.writeString("Triangle with vertices: ");
+        a.print(os);
+        os.writeString(", ");
+        b.print(os);
+        os.writeString(", ");
+        c.print(os);
+        os.writeNewline();
+        surfaceMaterial.print(os);
+    }
+
+    @Override
+    public void read(SceneReader is) throws IOException {
+        is.group();
+        a = readVertex(is, "first vertex");
+        b = readVertex(is, "second vertex");
+        c = readVertex(is, "third vertex");
+        if (isFlat()) {
+            is.rejectGroup("three vertices not on one line");
+        }
+        readMaterial(is);
+    }
+
+    private static Point readVertex(SceneReader is, String name) throws IOException {
+        Point vertex = new Point();
+        is.enter(name);
+        vertex.read(is);
+        is.leave();
+        return vertex;
+    }
+
+    @Override
+    public void write(SceneWriter os) throws IOException {
+        a.write(os);
+        os.writeString("  ");
+        b.write(os);
+        os.writeString("  ");
+        c.write(os);
+        os.writeString("  ");
+        surfaceMaterial.write(os);
+    }
+}
