@@ -5,7 +5,8 @@ final class ObjectKind {
     static final KindTable<Object> TABLE = new KindTable<Object>("object")
         .add(0, "sphere", Sphere.class, Sphere::new)
         .add(1, "plane", Plane.class, Plane::new)
-        .add(2, "triangle", Triangle.class, Triangle::new);
+        .add(2, "triangle", Triangle.class, Triangle::new)
+        .add(3, "cylinder", Cylinder.class, Cylinder::new);
 
     private ObjectKind() {
     }

@@ -56,6 +56,10 @@ final class SceneBits {
             add(new Vector(triangle.a));
             add(new Vector(triangle.b));
             add(new Vector(triangle.c));
+        } else if (object instanceof Cylinder cylinder) {
+            add(new Vector(cylinder.start));
+            add(new Vector(cylinder.end));
+            bits.add(cylinder.radius);
         } else {
             throw new IllegalArgumentException("no bits known of " + object.getClass());
         }

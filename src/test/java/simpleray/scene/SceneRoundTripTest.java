@@ -79,9 +79,10 @@ class SceneRoundTripTest {
 
     private static Object object(Random random) {
         Material material = material(random);
-        return switch (random.nextInt(3)) {
+        return switch (random.nextInt(4)) {
             case 0 -> new Plane(material, vector(random), number(random));
             case 1 -> new Triangle(material, near(random), near(random), near(random));
+            case 2 -> new Cylinder(material, point(random), near(random), above(random));
             default -> new Sphere(material, point(random), above(random));
         };
     }
