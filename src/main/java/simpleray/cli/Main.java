@@ -32,8 +32,8 @@ import simpleray.render.Stage;
     exitCodeList = {"0:done", "2:wrong usage", "65:the scene has errors", "66:the scene cannot be read",
         "69:no display for a window", "70:internal error", "71:too large for the memory", "73:the output cannot be created",
         "74:the output cannot be written"},
-    subcommands = {ViewCommand.class, RenderCommand.class, PrintCommand.class, CheckCommand.class, ConvertCommand.class, GenerateCompletion.class,
-        HelpCommand.class})
+    subcommands = {ViewCommand.class, RenderCommand.class, FiguresCommand.class, PrintCommand.class, CheckCommand.class,
+        ConvertCommand.class, GenerateCompletion.class, HelpCommand.class})
 public final class Main implements Runnable {
     private final InputStream in;
     private final OutputStream out;

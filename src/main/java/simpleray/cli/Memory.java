@@ -1,31 +1,31 @@
 package simpleray.cli;
 
 import java.util.Locale;
-import simpleray.image.Picture;
 
-/** Looks whether a picture fits into the memory, before work on it begins. */
+/** Whether there is room for what is about to be made. */
 final class Memory {
-    /** What everything but the picture may take, in bytes. */
+    /** Memory that everything but pictures may take. */
     private static final long SLACK = 16L << 20;
 
     private Memory() {
     }
 
     /**
-     * Requires memory for a picture.
+     * Makes sure that there is room.
      *
-     * @param screen bytes for each pixel beside the picture's own
-     * @throws Failure if there is not enough, with what is needed
+     * @param what what it is needed for, to stand in the message, such as {@code a picture of 640x480}
+     * @param bytes how much its pictures take
+     * @throws Failure if there is less
      */
-    static void require(int width, int height, int screen) throws Failure {
-        long needed = Picture.bytesNeeded(width, height) + (long) screen * width * height + SLACK;
+    static void require(String what, long bytes) throws Failure {
+        long needed = bytes + SLACK;
         if (needed > free()) {
             System.gc();                                      // what is free is known only after it
             long free = free();
             if (needed > free) {
                 throw new Failure(ExitCode.NO_MEMORY, String.format(Locale.ROOT,
-                    "simpleray: a picture of %dx%d needs %d MiB of memory, and Java has %d MiB left: make it smaller, or give java more "
-                        + "by -Xmx", width, height, needed >> 20, free >> 20));
+                    "simpleray: %s needs %d MiB of memory, and Java has %d MiB left: make it smaller, or give java more by -Xmx",
+                    what, needed >> 20, free >> 20));
             }
         }
     }

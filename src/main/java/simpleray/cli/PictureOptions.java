@@ -26,11 +26,6 @@ final class PictureOptions {
         description = "Width and height in pixels, 1 to " + SceneSettings.MOST_RESOLUTION + " each (default: 200x200).")
     private Resolution size;
 
-    @Option(names = "--stage", paramLabel = "STAGE", defaultValue = "final",
-        description = "${COMPLETION-CANDIDATES} (default: ${DEFAULT-VALUE}): before lighting; with lighting; with shadows and "
-            + "reflections; one term of lighting alone.")
-    private Stage stage;
-
     @Option(names = "--depth", paramLabel = "N",
         description = "The most reflections of a ray, 0 to " + SceneSettings.MOST_DEPTH + " (default: 10).")
     private Integer depth;
@@ -56,8 +51,8 @@ final class PictureOptions {
         description = "The colour where nothing is hit, 0 to 1 each (default: 0,0,0).")
     private Colour background;
 
-    /** {@return what was asked for, with that many threads} */
-    RenderRequest request(int threads) {
+    /** {@return what was asked for, with that stage and that many threads} */
+    RenderRequest request(Stage stage, int threads) {
         SceneSettings asked = new SceneSettings();
         asked.resolution = size;
         asked.depth = depth;

@@ -26,7 +26,6 @@ import simpleray.text.WholeFile;
     description = "Renders a scene into a PNG file, without a window.")
 final class RenderCommand implements Callable<Integer> {
     private static final Set<String> OTHER_FORMATS = Set.of("jpg", "jpeg", "gif", "bmp", "tif", "tiff", "webp", "ppm", "svg", "pdf");
-    private static final int MOST_THREADS = 1024;
 
     @ParentCommand
     private Main main;
@@ -44,29 +43,21 @@ final class RenderCommand implements Callable<Integer> {
     @Mixin
     private PictureOptions picture;
 
-    @Option(names = "--threads", paramLabel = "N",
-        description = "How many threads work, 1 to " + MOST_THREADS + " (default: one for each processor). The picture is the same.")
-    private Integer threads;
+    @Mixin
+    private StageOption stage;
 
-    @Option(names = "--progress", paramLabel = "HOW", defaultValue = "auto",
-        description = "${COMPLETION-CANDIDATES} (default: ${DEFAULT-VALUE}: a bar if standard error is a terminal, else "
-            + "none); without a terminal, bar is plain.")
-    private ProgressPrinter.Style progress;
-
-    @Option(names = {"-q", "--quiet"}, description = "Say nothing but errors.")
-    private boolean quiet;
+    @Mixin
+    private WorkOptions work;
 
     private final long start = System.nanoTime();
 
     @Override
     public Integer call() throws Failure {
-        if (threads != null && (threads < 1 || threads > MOST_THREADS)) {
-            throw new ParameterException(spec.commandLine(), "--threads must be 1 to " + MOST_THREADS + ", and is " + threads);
-        }
-        RenderRequest request = picture.request(threads == null ? Runtime.getRuntime().availableProcessors() : threads);
+        RenderRequest request = picture.request(stage.stage(), work.threads());
         refuseOtherFormats();
-        Renderer renderer = request.renderer(SceneArgument.read(scene, main.in(), quiet ? null : main.err()).scene());
-        Memory.require(renderer.picture().width(), renderer.picture().height(), 0);
+        Renderer renderer = request.renderer(SceneArgument.read(scene, main.in(), work.warnings(main.err())).scene());
+        Picture asked = renderer.picture();
+        Memory.require("a picture of " + asked.width() + 'x' + asked.height(), Picture.bytesNeeded(asked.width(), asked.height()));
         if (output.equals(SceneArgument.STREAM)) {
             toStream(renderer);
         } else {
@@ -102,17 +93,14 @@ final class RenderCommand implements Callable<Integer> {
 
     private Picture render(Renderer renderer) {
         Progress counter = new Progress(renderer.picture().height(), start);
-        ProgressPrinter printer = new ProgressPrinter(counter, main.err(), quiet ? ProgressPrinter.Style.NONE : progress);
+        ProgressPrinter printer = work.printer(counter, main.err());
         Picture rendered = renderer.render(printer);
         printer.end();
         return rendered;
     }
 
     private void report(String name, Picture rendered) {
-        if (!quiet) {
-            main.err().println(name + ": " + rendered.width() + 'x' + rendered.height() + ", "
-                + Progress.time(Progress.seconds(start, System.nanoTime())));
-        }
+        work.report(main.err(), name, rendered, Progress.seconds(start, System.nanoTime()));
     }
 
     private void refuseOtherFormats() {

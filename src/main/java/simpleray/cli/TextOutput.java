@@ -1,6 +1,7 @@
 package simpleray.cli;
 
 import java.io.IOException;
+import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -52,12 +53,32 @@ final class TextOutput {
     static WholeFile begin(String name) throws Failure {
         try {
             return new WholeFile(Path.of(name));
-        } catch (FileSystemException e) {
-            String reason = e.getReason() != null ? e.getReason() : e.getClass().getSimpleName().replace("Exception", "");
-            throw new Failure(ExitCode.NO_OUTPUT, "simpleray: " + name + ": cannot be created: " + reason);
         } catch (IOException e) {
-            throw new Failure(ExitCode.NO_OUTPUT, "simpleray: " + name + ": cannot be created: " + e.getMessage());
+            throw notCreated(name, e);
         }
+    }
+
+    /**
+     * Makes sure that a folder is there.
+     *
+     * @throws Failure if it cannot be created
+     */
+    static void makeFolder(String name) throws Failure {
+        try {
+            Files.createDirectories(Path.of(name));
+        } catch (FileAlreadyExistsException e) {
+            throw new Failure(ExitCode.NO_OUTPUT, "simpleray: " + name + ": cannot be created: " + e.getFile() + " is no folder");
+        } catch (IOException e) {
+            throw notCreated(name, e);
+        }
+    }
+
+    private static Failure notCreated(String name, IOException e) {
+        String reason = e.getMessage();
+        if (e instanceof FileSystemException f) {
+            reason = f.getReason() != null ? f.getReason() : e.getClass().getSimpleName().replace("Exception", "");
+        }
+        return new Failure(ExitCode.NO_OUTPUT, "simpleray: " + name + ": cannot be created: " + reason);
     }
 
     /** {@return whether both name the same file, so that writing one would lose the other} */

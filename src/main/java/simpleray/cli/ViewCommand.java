@@ -18,7 +18,7 @@ import simpleray.ui.Viewer;
     description = "Opens a window in which the picture appears row by row.")
 final class ViewCommand implements Callable<Integer> {
     /** Bytes for each pixel that a window takes beside the picture: its image, and rows on their way to it. */
-    private static final int SCREEN = 8;
+    private static final long SCREEN = 8;
 
     @ParentCommand
     private Main main;
@@ -29,14 +29,18 @@ final class ViewCommand implements Callable<Integer> {
     @Mixin
     private PictureOptions picture;
 
+    @Mixin
+    private StageOption stage;
+
     @Override
     public Integer call() throws Failure {
-        RenderRequest request = picture.request(Runtime.getRuntime().availableProcessors());
+        RenderRequest request = picture.request(stage.stage(), Runtime.getRuntime().availableProcessors());
         if (!Viewer.hasDisplay()) {
             throw new Failure(ExitCode.NO_DISPLAY, "simpleray: there is no display for a window; simpleray render works without one");
         }
         Picture asked = request.renderer(new Scene()).picture();
-        Memory.require(asked.width(), asked.height(), SCREEN);
+        Memory.require("a picture of " + asked.width() + 'x' + asked.height(),
+            Picture.bytesNeeded(asked.width(), asked.height()) + SCREEN * asked.width() * asked.height());
         Viewer.view(source(), request);
         return ExitCode.DONE;
     }

@@ -1,5 +1,6 @@
 package simpleray.image;
 
+import java.util.List;
 import java.util.concurrent.atomic.AtomicReferenceArray;
 
 /**
@@ -91,6 +92,27 @@ public final class Picture {
             levels[i] = (byte) level(linear[i]);
         }
         return levels;
+    }
+
+    /**
+     * Adds pictures, light to light and not clamped.
+     *
+     * @param pictures one or more of one size, whole; added in this order
+     * @return a new picture
+     */
+    public static Picture sum(List<Picture> pictures) {
+        Picture sum = new Picture(pictures.get(0).width, pictures.get(0).height);
+        for (int y = 0; y < sum.height; y++) {
+            double[] row = new double[3 * sum.width];
+            for (Picture picture : pictures) {
+                double[] light = picture.row(y);
+                for (int i = 0; i < row.length; i++) {
+                    row[i] += light[i];
+                }
+            }
+            sum.setRow(y, row);
+        }
+        return sum;
     }
 
     /**

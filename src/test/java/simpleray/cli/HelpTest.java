@@ -71,7 +71,7 @@ class HelpTest {
 
     @Test
     void theHelpFitsATerminal() {
-        for (String command : List.of("view", "render", "print", "check", "generate-completion")) {
+        for (String command : List.of("view", "render", "print", "check", "convert", "figures", "generate-completion")) {
             assertThat(text("help", command).lines()).allMatch(line -> line.length() <= TERMINAL);
         }
         assertThat(text("--help").lines()).allMatch(line -> line.length() <= TERMINAL);

@@ -1,0 +1,174 @@
+package simpleray.cli;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.concurrent.Callable;
+import java.util.function.Supplier;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.ParentCommand;
+import picocli.CommandLine.Spec;
+import simpleray.image.Picture;
+import simpleray.image.PngWriter;
+import simpleray.image.Sheet;
+import simpleray.render.Progress;
+import simpleray.render.RenderRequest;
+import simpleray.render.Stage;
+import simpleray.scene.Scene;
+import simpleray.text.Numbers;
+import simpleray.text.WholeFile;
+
+/** Makes the thesis's figures of a scene, each a sheet of labelled pictures. */
+@Command(name = "figures", mixinStandardHelpOptions = true, sortOptions = false,
+    description = "Makes the thesis's figures of a scene, each a sheet of labelled pictures: DIR/NAME-stages.png (figures 12 to 14), "
+        + "DIR/NAME-terms.png (figure 10) and, with --sweep, DIR/NAME-shininess.png (figure 8).")
+final class FiguresCommand implements Callable<Integer> {
+    @ParentCommand
+    private Main main;
+
+    @Spec
+    private CommandSpec spec;
+
+    @Parameters(paramLabel = "SCENE", description = SceneArgument.DESCRIPTION)
+    private String scene;
+
+    @Option(names = {"-d", "--directory"}, paramLabel = "DIR", required = true,
+        description = "The folder of the sheets; made if it is not there. NAME is the scene file's name without its ending, or stdin.")
+    private String folder;
+
+    @Option(names = "--sweep", paramLabel = "shininess=N,N,...", converter = Sweep.Converter.class,
+        description = "Also a strip of the lighting stage in which all materials have this shininess, and this one, and so on.")
+    private Sweep sweep;
+
+    @Mixin
+    private PictureOptions picture;
+
+    @Mixin
+    private WorkOptions work;
+
+    private RenderRequest request;
+    private Scene read;
+    private ProgressPrinter printer;
+
+    /** A sheet to be made: how its file's name ends, its labels, how many of its pictures are rendered, and what makes them all. */
+    private record Figure(String name, List<String> labels, int rendered, Supplier<List<Picture>> pictures) {
+    }
+
+    @Override
+    public Integer call() throws Failure {
+        request = picture.request(Stage.LIGHTING, work.threads());
+        read = SceneArgument.read(scene, main.in(), work.warnings(main.err())).scene();
+        List<Figure> figures = figures();
+        Picture first = request.renderer(read).picture();     // its size is that of all
+        List<Sheet> sheets = layouts(figures, first.width(), first.height());
+        int rows = first.height() * figures.stream().mapToInt(Figure::rendered).sum();
+        printer = work.printer(new Progress(rows, System.nanoTime()), main.err());
+        TextOutput.makeFolder(folder);
+        List<WholeFile> files = new ArrayList<>();
+        try {
+            for (Figure figure : figures) {
+                files.add(begin(output(figure)));
+            }
+            for (int i = 0; i < files.size(); i++) {
+                make(figures.get(i), sheets.get(i), files.get(i));
+            }
+        } finally {
+            for (WholeFile file : files) {
+                close(file);
+            }
+        }
+        return ExitCode.DONE;
+    }
+
+    private List<Figure> figures() {
+        List<Figure> figures = new ArrayList<>();
+        figures.add(new Figure("stages", List.of("original", "with lighting", "with shadows and reflections"), 3,
+            () -> render(Stage.ORIGINAL, Stage.LIGHTING, Stage.FINAL)));
+        figures.add(new Figure("terms", List.of("ambient", "diffuse", "specular", "their sum"), 3, this::terms));
+        if (sweep != null) {                                  // the last one: it changes the scene
+            List<String> labels = sweep.values().stream().map(value -> "shininess " + value).toList();
+            figures.add(new Figure("shininess", labels, labels.size(), this::swept));
+        }
+        return figures;
+    }
+
+    private List<Picture> render(Stage... stages) {
+        return Arrays.stream(stages).map(stage -> request.with(stage).renderer(read).render(printer)).toList();
+    }
+
+    private List<Picture> terms() {
+        List<Picture> pictures = new ArrayList<>(render(Stage.AMBIENT, Stage.DIFFUSE, Stage.SPECULAR));
+        pictures.add(Picture.sum(pictures));
+        return pictures;
+    }
+
+    private List<Picture> swept() {
+        List<Picture> pictures = new ArrayList<>();
+        for (String value : sweep.values()) {
+            for (int i = 0; i < read.getNumberObjects(); i++) {
+                read.getObject(i).surfaceMaterial.shininess = Numbers.parseDouble(value);
+            }
+            pictures.addAll(render(Stage.LIGHTING));
+        }
+        return pictures;
+    }
+
+    /** Lays out the sheets, and makes sure that there is memory for each. */
+    private List<Sheet> layouts(List<Figure> figures, int width, int height) throws Failure {
+        List<Sheet> sheets = new ArrayList<>();
+        try {
+            for (Figure figure : figures) {
+                sheets.add(new Sheet(width, height, figure.labels));
+            }
+        } catch (IllegalArgumentException e) {
+            throw new ParameterException(spec.commandLine(), e.getMessage());
+        }
+        for (int i = 0; i < sheets.size(); i++) {
+            Sheet sheet = sheets.get(i);
+            Memory.require("a sheet of " + sheet.width() + 'x' + sheet.height(), Picture.bytesNeeded(sheet.width(), sheet.height())
+                + figures.get(i).labels.size() * Picture.bytesNeeded(width, height));
+        }
+        return sheets;
+    }
+
+    private String output(Figure figure) {
+        String name = scene.equals(SceneArgument.STREAM) ? "stdin" : Path.of(scene).getFileName().toString();
+        int ending = name.lastIndexOf('.');
+        return Path.of(folder).resolve((ending > 0 ? name.substring(0, ending) : name) + '-' + figure.name + ".png").toString();
+    }
+
+    private WholeFile begin(String output) throws Failure {
+        if (TextOutput.isSame(scene, output)) {
+            throw new ParameterException(spec.commandLine(), "the output " + output + " is the scene itself");
+        }
+        return TextOutput.begin(output);
+    }
+
+    private void make(Figure figure, Sheet sheet, WholeFile file) throws Failure {
+        long start = System.nanoTime();
+        Picture filled = sheet.with(figure.pictures.get());
+        printer.end();
+        try {
+            PngWriter.write(filled, file.out());
+            file.commit();
+        } catch (IOException e) {
+            throw new Failure(ExitCode.WRITE_ERROR, "simpleray: " + output(figure) + ": cannot be written: " + e.getMessage());
+        }
+        work.report(main.err(), output(figure), filled, Progress.seconds(start, System.nanoTime()));
+    }
+
+    private static void close(WholeFile file) {
+        try {
+            file.close();
+        } catch (IOException e) {
+            return;                                           // it was not written whole, for a reason that is being reported
+        }
+    }
+}
