@@ -6,7 +6,8 @@ final class ObjectKind {
         .add(0, "sphere", Sphere.class, Sphere::new)
         .add(1, "plane", Plane.class, Plane::new)
         .add(2, "triangle", Triangle.class, Triangle::new)
-        .add(3, "cylinder", Cylinder.class, Cylinder::new);
+        .add(3, "cylinder", Cylinder.class, Cylinder::new)
+        .add(4, "mesh", Mesh.class, Mesh::new);
 
     private ObjectKind() {
     }

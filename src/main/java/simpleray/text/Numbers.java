@@ -19,8 +19,13 @@ public final class Numbers {
         return Double.isInfinite(value) ? Double.NaN : value;
     }
 
-    /** {@return the finite float that the word means, or NaN if it means none} */
-    static float parseFloat(String word) {
+    /**
+     * Reads a number of single precision.
+     *
+     * @param word the word
+     * @return the finite float nearest to what it means, or NaN if it means none
+     */
+    public static float parseFloat(String word) {
         float value = isDecimal(word) ? Float.parseFloat(word) : Float.NaN;
         return Float.isInfinite(value) ? Float.NaN : value;
     }

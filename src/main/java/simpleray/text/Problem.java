@@ -13,6 +13,7 @@ package simpleray.text;
 public record Problem(String file, int line, int column, boolean error, String message, String source) {
     /** The longest piece of a source line that is shown. */
     private static final int SHOWN = 160;
+    private static final int LONGEST_WORD = 60;
     private static final String CUT = "...";
 
     /** {@return the first line of the report: {@code FILE:LINE:COLUMN: error: expected WHAT, found WHAT}} */
@@ -38,6 +39,18 @@ public record Problem(String file, int line, int column, boolean error, String m
         // a tab above is a tab below, so that the caret stands under its word however wide tabs are
         source.substring(from, at).codePoints().forEach(c -> caret.append(c == '\t' ? '\t' : ' '));
         return headline() + '\n' + head + printable(source.substring(from, to)) + tail + '\n' + caret + '^';
+    }
+
+    /**
+     * Quotes a word for a message.
+     *
+     * @param word the word
+     * @return the word in quotes, cut when it is long, without control characters
+     */
+    public static String quoted(String word) {
+        int length = word.codePointCount(0, word.length());
+        String shown = length <= LONGEST_WORD ? word : word.substring(0, word.offsetByCodePoints(0, LONGEST_WORD)) + CUT;
+        return '\'' + printable(shown) + '\'';
     }
 
     /** {@return the text with every control character but the tab replaced, so that a file cannot steer a terminal} */

@@ -5,8 +5,10 @@ import java.io.File;
 import java.io.FileInputStream;
 import java.io.IOException;
 import java.io.InputStream;
-import java.util.ArrayList;
+import java.nio.file.Path;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 
 /**
@@ -20,16 +22,12 @@ import java.util.Set;
  * until {@link #complete}. An error that leaves no way to go on throws at once, with those noted before it.
  */
 public final class SceneReader implements Closeable {
-    /** No more warnings than these are kept: a book read by mistake has a heading in every line. */
-    private static final int MOST_WARNINGS = 1000;
-    private static final int LONGEST_WORD = 60;
+    /** What was made of other files that the scene names, by absolute path, for whoever reads them: each is read once. */
+    public final Map<Path, Object> loaded = new HashMap<>();
 
-    private final String file;
+    private final Problems problems;
+    private final Path folder;
     private final Words words;
-    private final List<Problem> errors = new ArrayList<>();
-    private final List<Problem> warnings = new ArrayList<>();
-    private final List<String> owners = new ArrayList<>();
-    private int mostErrors = 1;
     private Words.Place last;
     private Words.Place groupStart;
 
@@ -40,7 +38,7 @@ public final class SceneReader implements Closeable {
      * @throws IOException if it cannot be opened
      */
     public SceneReader(File f) throws IOException {
-        this(new FileInputStream(f), f.getPath());
+        this(new FileInputStream(f), f.getPath(), f.toPath().resolveSibling(""));
     }
 
     /**
@@ -59,8 +57,13 @@ public final class SceneReader implements Closeable {
      * @param name what messages call the file
      */
     public SceneReader(InputStream is, String name) {
-        file = name;
-        words = new Words(is, this::skipped);
+        this(is, name, Path.of(""));
+    }
+
+    private SceneReader(InputStream is, String name, Path folder) {
+        problems = new Problems(name);
+        this.folder = folder;
+        words = new Words(is, problems::skipped);
     }
 
     /**
@@ -69,7 +72,7 @@ public final class SceneReader implements Closeable {
      * @param most how many errors end the reading, 1 or more
      */
     public void tolerate(int most) {
-        mostErrors = most;
+        problems.tolerate(most);
     }
 
     /**
@@ -79,7 +82,7 @@ public final class SceneReader implements Closeable {
      * @param number its number, from 1
      */
     public void enter(String name, int number) {
-        owners.add(name + ' ' + number + "'s");
+        problems.enter(name + ' ' + number + "'s");
     }
 
     /**
@@ -88,12 +91,12 @@ public final class SceneReader implements Closeable {
      * @param name the thing's name, as it stands before "red" or "x"
      */
     public void enter(String name) {
-        owners.add(name);
+        problems.enter(name);
     }
 
     /** Ends what the latest {@code enter} began. */
     public void leave() {
-        owners.remove(owners.size() - 1);
+        problems.leave();
     }
 
     /**
@@ -201,6 +204,33 @@ public final class SceneReader implements Closeable {
     }
 
     /**
+     * Reads a name between double quotes on one line, in which white space and {@code #} are allowed.
+     *
+     * @param field what it is, for the message
+     * @return the name without the quotes, not empty
+     * @throws IOException if the next word is not quoted, or the file cannot be read
+     */
+    public String readQuoted(String field) throws IOException {
+        String word = word(field);
+        int close = word.indexOf('"', 1);
+        if (word.charAt(0) != '"' || close < 2 || close != word.length() - 1) {
+            throw stop(field + " between double quotes");
+        }
+        return word.substring(1, close);
+    }
+
+    /**
+     * Finds a file that the scene names.
+     *
+     * @param name the name, as it stands in the scene file
+     * @return the file's path: relative to the scene file's folder, or to the working directory if the scene comes from a stream
+     * @throws java.nio.file.InvalidPathException if no file can have that name
+     */
+    public Path resolve(String name) {
+        return folder.resolve(name);
+    }
+
+    /**
      * Tells whether only white space, comments and headings are left.
      *
      * @return true at the end of the file
@@ -233,7 +263,17 @@ public final class SceneReader implements Closeable {
      * @throws SceneFormatException if that is one error too many
      */
     public void reject(String wanted) throws SceneFormatException {
-        note(last, wanted, quoted(last.word()));
+        problems.note(last, wanted, Problem.quoted(last.word()));
+    }
+
+    /**
+     * Notes a problem in another file that the scene names.
+     *
+     * @param problem the error or warning
+     * @throws SceneFormatException if that is one error too many
+     */
+    public void report(Problem problem) throws SceneFormatException {
+        problems.report(problem);
     }
 
     /**
@@ -244,7 +284,8 @@ public final class SceneReader implements Closeable {
      */
     public void rejectGroup(String wanted) throws SceneFormatException {
         boolean oneLine = groupStart.line() == last.line();
-        note(groupStart, wanted, quoted(oneLine ? last.source().substring(groupStart.at(), last.end()) : groupStart.word()));
+        String found = oneLine ? last.source().substring(groupStart.at(), last.end()) : groupStart.word();
+        problems.note(groupStart, wanted, Problem.quoted(found));
     }
 
     /**
@@ -254,8 +295,7 @@ public final class SceneReader implements Closeable {
      * @return the exception to throw, with all errors so far
      */
     public SceneFormatException stop(String wanted) {
-        add(last, wanted, quoted(last.word()));
-        return new SceneFormatException(errors, false);
+        return problems.stop(last, wanted, Problem.quoted(last.word()));
     }
 
     /**
@@ -269,14 +309,12 @@ public final class SceneReader implements Closeable {
             last = words.place();
             throw stop(wanted);
         }
-        if (!errors.isEmpty()) {
-            throw new SceneFormatException(errors, false);
-        }
+        problems.complete();
     }
 
     /** {@return the warnings so far, in the order of the file; the first thousand of them} */
     public List<Problem> warnings() {
-        return List.copyOf(warnings);
+        return problems.warnings();
     }
 
     /**
@@ -304,37 +342,7 @@ public final class SceneReader implements Closeable {
 
     private void require(Set<String> keywords, String field) throws IOException {
         if (!words.skip(keywords)) {
-            add(words.place(), field, "the end of the file");
-            throw new SceneFormatException(errors, false);
+            throw problems.stop(words.place(), field, "the end of the file");
         }
-    }
-
-    private void note(Words.Place place, String wanted, String found) throws SceneFormatException {
-        add(place, wanted, found);
-        if (errors.size() >= mostErrors) {
-            throw new SceneFormatException(errors, mostErrors > 1);
-        }
-    }
-
-    private void add(Words.Place place, String wanted, String found) {
-        String owner = owners.isEmpty() ? "" : String.join(" ", owners) + ' ';
-        errors.add(problem(place, true, "expected " + owner + wanted + ", found " + found));
-    }
-
-    private void skipped(Words.Place place) {
-        if (warnings.size() < MOST_WARNINGS) {
-            String text = quoted(place.source().substring(place.at()).strip());
-            warnings.add(problem(place, false, "expected a value or a comment, found the heading " + text + ", which is skipped"));
-        }
-    }
-
-    private Problem problem(Words.Place place, boolean error, String message) {
-        return new Problem(file, place.line(), place.column(), error, message, place.source());
-    }
-
-    private static String quoted(String word) {
-        int length = word.codePointCount(0, word.length());
-        String shown = length <= LONGEST_WORD ? word : word.substring(0, word.offsetByCodePoints(0, LONGEST_WORD)) + "...";
-        return '\'' + Problem.printable(shown) + '\'';
     }
 }

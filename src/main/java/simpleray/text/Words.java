@@ -16,6 +16,7 @@ import java.util.function.Consumer;
 final class Words {
     private static final int BUFFER = 1 << 16;
     private static final char COMMENT = '#';
+    private static final char QUOTE = '"';
     private static final char BYTE_ORDER_MARK = '\uFEFF';
 
     private final Reader in;
@@ -123,8 +124,12 @@ final class Words {
             && (word.length() == name.length() || !Character.isLetter(word.codePointAt(name.length())));
     }
 
+    /** {@return where the word ends that begins here} Between double quotes it may hold white space and {@code #}. */
     private int wordEnd() {
         int end = at;
+        if (end < line.length() && line.charAt(end) == QUOTE) {
+            end = Math.max(end, line.indexOf(QUOTE, end + 1));
+        }
         while (end < line.length() && !isBlank(line.charAt(end)) && line.charAt(end) != COMMENT) {
             end++;
         }

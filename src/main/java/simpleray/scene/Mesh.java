@@ -1,0 +1,204 @@
+package simpleray.scene;
+
+import java.io.IOException;
+import java.nio.file.FileSystemException;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import simpleray.math.Bounds;
+import simpleray.math.Point;
+import simpleray.math.Ray;
+import simpleray.math.Vector;
+import simpleray.text.Problem;
+import simpleray.text.SceneFormatException;
+import simpleray.text.SceneReader;
+import simpleray.text.SceneWriter;
+
+/**
+ * The polygons of a Wavefront OBJ, scaled about its origin and then moved. Both sides are visible; inside is the side from which the
+ * vertices run clockwise, as they stand after scaling: a scale below 0 mirrors the mesh at the origin, and so turns it inside out.
+ *
+ * <p>Rays are moved to the mesh, not the mesh to the rays: meshes of one file in a scene share its triangles.
+ */
+public final class Mesh extends Object {
+    private static final ThreadLocal<TriangleProbe> PROBES = ThreadLocal.withInitial(TriangleProbe::new);
+    /** A share of a coordinate that is larger than a few roundings. */
+    private static final double ROUNDINGS = 0x1p-49;
+
+    /** The OBJ file, as the scene file names it. */
+    public String file;
+    /** Where the OBJ's origin comes to lie. */
+    public Point offset;
+    /** How many times as large as in the OBJ; not 0. */
+    public double scale;
+
+    private TriangleTree tree;
+
+    /** Creates a mesh without triangles, to be read into. */
+    public Mesh() {
+        this(new Material(), "", new Point(), 1, Triangles.NONE);
+    }
+
+    /**
+     * Creates the mesh of a file. The values are referenced, not copied.
+     *
+     * @param n the material
+     * @param file the OBJ file
+     * @param offset where the OBJ's origin comes to lie
+     * @param scale how many times as large as in the OBJ; not 0
+     * @throws SceneFormatException if there is an error in the file
+     * @throws IOException if it cannot be read
+     */
+    public Mesh(Material n, String file, Point offset, double scale) throws IOException {
+        this(n, file, offset, scale, ObjPolygons.read(Path.of(file), warning -> { }));
+    }
+
+    /** Creates the mesh of some triangles; the file is only named. */
+    Mesh(Material n, String file, Point offset, double scale, Triangles triangles) {
+        super(n);
+        this.file = file;
+        this.offset = offset;
+        this.scale = scale;
+        tree = new TriangleTree(triangles);
+    }
+
+    /** {@return the number of triangles} */
+    public int size() {
+        return tree.triangles.count();
+    }
+
+    /** {@inheritDoc} A ray along a triangle misses it; a hit on an edge or a vertex is one. */
+    @Override
+    public double intersect(Ray ray) {
+        TriangleProbe probe = probe(ray);
+        return probe.triangle < 0 ? MISS : probe.t;
+    }
+
+    /** Finds the nearest triangle along a ray. */
+    private TriangleProbe probe(Ray ray) {
+        TriangleProbe probe = PROBES.get();
+        Point o = ray.origin;
+        Vector d = ray.direction;
+        probe.start((o.x - offset.x) / scale, (o.y - offset.y) / scale, (o.z - offset.z) / scale, d.x / scale, d.y / scale, d.z / scale);
+        tree.walk(probe);
+        return probe;
+    }
+
+    /** {@inheritDoc} It is that of the nearest triangle, as flat as it is. All are looked at: {@link #surface} is the fast way. */
+    @Override
+    public Vector normal(Point p) {
+        double[] place = {(p.x - offset.x) / scale, (p.y - offset.y) / scale, (p.z - offset.z) / scale};
+        int nearest = 0;
+        double distance = Double.POSITIVE_INFINITY;
+        for (int i = 0; i < size(); i++) {
+            double other = tree.triangles.squaredDistance(i, place);
+            if (other < distance) {
+                nearest = i;
+                distance = other;
+            }
+        }
+        return outward(nearest);
+    }
+
+    /** {@return the unit normal of a triangle} Neither moving nor scaling changes it. */
+    private Vector outward(int triangle) {
+        double[] n = new double[3];
+        tree.triangles.cross(triangle, n);
+        return new Vector(n[0], n[1], n[2]).normalised();
+    }
+
+    /** Finds the surface at a hit: the triangle is found again, for one ray finds one triangle however often it looks. */
+    @Override
+    Surface surface(Ray ray, double t, Point point) {
+        TriangleProbe probe = probe(ray);
+        Vector outward = outward(probe.triangle);
+        double[] n = new double[3];
+        if (!tree.triangles.interpolate(probe.triangle, probe.weights, n)) {
+            return new Surface(outward, outward);
+        }
+        return new Surface(outward, new Vector(n[0], n[1], n[2]).normalised());
+    }
+
+    @Override
+    public Bounds bounds() {
+        double[] box = tree.box();
+        if (box.length == 0) {
+            return Bounds.of(offset);
+        }
+        return Bounds.of(corner(box, 0, -1), corner(box, 3, -1), corner(box, 0, 1), corner(box, 3, 1));
+    }
+
+    /** {@return a corner of the box where the mesh stands, moved by a few roundings} */
+    private Point corner(double[] box, int at, int roundings) {
+        double share = roundings * ROUNDINGS;
+        double x = box[at] * scale;
+        double y = box[at + 1] * scale;
+        double z = box[at + 2] * scale;
+        return new Point(x + offset.x + share * (Math.abs(x) + Math.abs(offset.x)),
+            y + offset.y + share * (Math.abs(y) + Math.abs(offset.y)), z + offset.z + share * (Math.abs(z) + Math.abs(offset.z)));
+    }
+
+    @Override
+    public void print(SceneWriter os) throws IOException {
+        os.writeString("Mesh of \"" + file + "\" with " + size() + " triangles, moved by ");
+        offset.print(os);
+        os.writeString(", scaled by ");
+        os.writeDouble(scale);
+        os.writeNewline();
+        surfaceMaterial.print(os);
+    }
+
+    @Override
+    public void read(SceneReader is) throws IOException {
+        file = is.readQuoted("OBJ file");
+        tree = load(is);
+        is.enter("offset");
+        offset = new Point();
+        offset.read(is);
+        is.leave();
+        scale = is.readDouble("scale");
+        if (scale == 0) {
+            is.reject("scale other than 0");
+        }
+        readMaterial(is);
+    }
+
+    private TriangleTree load(SceneReader is) throws IOException {
+        TriangleTree read = new TriangleTree(Triangles.NONE);
+        try {
+            Path path = is.resolve(file);
+            Path key = path.toAbsolutePath().normalize();
+            if (is.loaded.get(key) instanceof TriangleTree known) {
+                return known;
+            }
+            List<Problem> problems = new ArrayList<>();
+            try {
+                read = new TriangleTree(ObjPolygons.read(path, problems::add));
+            } catch (SceneFormatException e) {
+                problems.addAll(e.problems());
+            }
+            is.loaded.put(key, read);                         // with errors too: they are reported once
+            for (Problem problem : problems) {
+                is.report(problem);
+            }
+        } catch (FileSystemException e) {
+            is.reject("OBJ file that can be read (" + e.getFile() + ": " + (e.getReason() == null ? e : e.getReason()) + ')');
+        } catch (InvalidPathException e) {
+            is.reject("OBJ file that can be read (" + e.getReason() + ')');
+        }
+        return read;
+    }
+
+    @Override
+    public void write(SceneWriter os) throws IOException {
+        if (file.isEmpty() || file.matches("(?s).*[\"\n\r].*")) {
+            throw new IllegalArgumentException("a scene file cannot name the file " + Problem.quoted(file));
+        }
+        os.writeString('"' + file + "\" ");
+        offset.write(os);
+        os.writeDouble(scale);
+        os.writeString("  ");
+        surfaceMaterial.write(os);
+    }
+}

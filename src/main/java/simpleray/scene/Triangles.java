@@ -1,0 +1,102 @@
+package simpleray.scene;
+
+/**
+ * Triangles with shared vertices, in flat arrays. <em>Constant</em>: the arrays are kept, and must not change.
+ *
+ * @param vertices x, y, z of each vertex
+ * @param corners three vertices of each triangle, counted from 0, anticlockwise as seen from outside
+ * @param normals x, y, z of each vertex normal, of unit length; zero where one points nowhere
+ * @param cornerNormals three normals of each triangle, counted from 0, each -1 if it has none; null if no triangle has any
+ */
+record Triangles(double[] vertices, int[] corners, double[] normals, int[] cornerNormals) {
+    /** A normal whose square is this or less is nothing but roundings. */
+    private static final double NO_LENGTH = 1e-24;
+
+    /** No triangle. */
+    static final Triangles NONE = new Triangles(new double[0], new int[0], new double[0], null);
+
+    /** {@return how many there are} */
+    int count() {
+        return corners.length / 3;
+    }
+
+    /** Finds the vector (B - A) × (C - A) of a triangle, outward, twice its area long, into out; returns whether it is not zero. */
+    boolean cross(int triangle, double[] out) {
+        return cross(vertices, 3 * corners[3 * triangle], 3 * corners[3 * triangle + 1], 3 * corners[3 * triangle + 2], out);
+    }
+
+    /** Finds (B - A) × (C - A) of the points that begin at these places of the array, into out; returns whether it is not zero. */
+    static boolean cross(double[] v, int a, int b, int c, double[] out) {
+        double ex = v[b] - v[a];
+        double ey = v[b + 1] - v[a + 1];
+        double ez = v[b + 2] - v[a + 2];
+        double fx = v[c] - v[a];
+        double fy = v[c + 1] - v[a + 1];
+        double fz = v[c + 2] - v[a + 2];
+        out[0] = ey * fz - ez * fy;
+        out[1] = ez * fx - ex * fz;
+        out[2] = ex * fy - ey * fx;
+        return out[0] != 0 || out[1] != 0 || out[2] != 0;
+    }
+
+    /**
+     * Finds the normal that is interpolated from those of the corners.
+     *
+     * @param triangle the triangle
+     * @param weights the weights of its corners, of any sum but 0
+     * @param out gets the normal, not of unit length
+     * @return whether there is one: the triangle has normals, and they do not cancel
+     */
+    boolean interpolate(int triangle, double[] weights, double[] out) {
+        if (cornerNormals == null || cornerNormals[3 * triangle] < 0) {
+            return false;
+        }
+        double sum = weights[0] + weights[1] + weights[2];
+        out[0] = out[1] = out[2] = 0;
+        for (int corner = 0; corner < 3; corner++) {
+            int normal = 3 * cornerNormals[3 * triangle + corner];
+            for (int axis = 0; axis < 3; axis++) {
+                out[axis] += weights[corner] / sum * normals[normal + axis];
+            }
+        }
+        return out[0] * out[0] + out[1] * out[1] + out[2] * out[2] > NO_LENGTH;
+    }
+
+    /**
+     * Finds the square of the distance of a triangle to a point (Ericson, "Real-Time Collision Detection", 2005, chapter 5.1.5).
+     *
+     * @param triangle the triangle
+     * @param p the point, x, y, z
+     * @return the square of the distance
+     */
+    double squaredDistance(int triangle, double[] p) {
+        int a = 3 * corners[3 * triangle];
+        int b = 3 * corners[3 * triangle + 1];
+        int c = 3 * corners[3 * triangle + 2];
+        double[] n = new double[3];
+        cross(triangle, n);
+        double squaredLength = n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
+        boolean above = true;                                 // the point's foot on the plane lies in the triangle
+        double nearest = Double.POSITIVE_INFINITY;
+        int[] ring = {a, b, c, a};
+        for (int i = 0; i < 3; i++) {
+            double ex = vertices[ring[i + 1]] - vertices[ring[i]];
+            double ey = vertices[ring[i + 1] + 1] - vertices[ring[i] + 1];
+            double ez = vertices[ring[i + 1] + 2] - vertices[ring[i] + 2];
+            double px = p[0] - vertices[ring[i]];
+            double py = p[1] - vertices[ring[i] + 1];
+            double pz = p[2] - vertices[ring[i] + 2];
+            above &= (ey * pz - ez * py) * n[0] + (ez * px - ex * pz) * n[1] + (ex * py - ey * px) * n[2] >= 0;
+            double along = Math.max(0, Math.min(1, (ex * px + ey * py + ez * pz) / (ex * ex + ey * ey + ez * ez)));
+            double dx = px - along * ex;
+            double dy = py - along * ey;
+            double dz = pz - along * ez;
+            nearest = Math.min(nearest, dx * dx + dy * dy + dz * dz);
+        }
+        if (!above) {
+            return nearest;
+        }
+        double height = (p[0] - vertices[a]) * n[0] + (p[1] - vertices[a + 1]) * n[1] + (p[2] - vertices[a + 2]) * n[2];
+        return height * height / squaredLength;
+    }
+}
