@@ -68,6 +68,11 @@ public final class Mesh extends Object {
         return tree.triangles.count();
     }
 
+    /** {@return the triangles, which other meshes may share} */
+    TriangleTree tree() {
+        return tree;
+    }
+
     /** {@inheritDoc} A ray along a triangle misses it; a hit on an edge or a vertex is one. */
     @Override
     public double intersect(Ray ray) {

@@ -92,7 +92,7 @@ final class TriangleProbe {
         if ((wa < 0 || wb < 0 || wc < 0) && (wa > 0 || wb > 0 || wc > 0)) {
             return;
         }
-        double found = (wa * az + wb * bz + wc * cz) / (wa + wb + wc) / dkz;      // NaN if the ray lies in the triangle's plane
+        double found = (az + (wb * (bz - az) + wc * (cz - az)) / (wa + wb + wc)) / dkz;   // NaN if the ray lies in the plane
         if (found > Object.THRESHOLD && (found < t || found == t && number < triangle)) {
             t = found;
             triangle = number;

@@ -27,9 +27,10 @@ final class TriangleTreeBuilder {
     private int[] counts;
     private int nodes;
 
-    private final int[] binCounts = new int[BINS];
-    private final double[] binBoxes = new double[6 * BINS];
+    private final int[] binCounts = new int[3 * BINS];
+    private final double[] binBoxes = new double[3 * 6 * BINS];
     private final double[] rightCosts = new double[BINS];
+    /** The box around the centres of a node's triangles, twice as large as it is. */
     private final double[] around = new double[6];
 
     TriangleTreeBuilder(Triangles triangles) {
@@ -72,8 +73,14 @@ final class TriangleTreeBuilder {
     /** Makes a node of the triangles at these places of the order. */
     private void build(int node, int from, int to, int depth) {
         System.arraycopy(EMPTY, 0, boxes, 6 * node, 6);
+        System.arraycopy(EMPTY, 0, around, 0, 6);
         for (int i = from; i < to; i++) {
             grow(boxes, 6 * node, sides, 6 * order[i]);
+            for (int axis = 0; axis < 3; axis++) {
+                double centre = centre(order[i], axis);
+                around[axis] = Math.min(around[axis], centre);
+                around[axis + 3] = Math.max(around[axis + 3], centre);
+            }
         }
         int cut = to - from == 1 ? from : cut(node, from, to, depth);
         if (cut == from) {
@@ -96,14 +103,6 @@ final class TriangleTreeBuilder {
 
     /** Parts the triangles at these places into two groups; returns where the second begins, or from if a leaf is cheaper. */
     private int cut(int node, int from, int to, int depth) {
-        System.arraycopy(EMPTY, 0, around, 0, 6);             // the box around the triangles' centres, twice as large
-        for (int i = from; i < to; i++) {
-            for (int axis = 0; axis < 3; axis++) {
-                double centre = centre(order[i], axis);
-                around[axis] = Math.min(around[axis], centre);
-                around[axis + 3] = Math.max(around[axis + 3], centre);
-            }
-        }
         int n = to - from;
         int widest = 0;
         for (int axis = 1; axis < 3; axis++) {
@@ -119,10 +118,10 @@ final class TriangleTreeBuilder {
         double cheapest = Double.POSITIVE_INFINITY;
         int bestAxis = -1;
         int bestBin = 0;
+        fill(from, to);
         for (int axis = 0; axis < 3; axis++) {
             if (around[axis + 3] - around[axis] > 0) {
-                fill(from, to, axis);
-                int bin = cheapest();
+                int bin = cheapest(BINS * axis);
                 if (rightCosts[bin] < cheapest) {
                     cheapest = rightCosts[bin];
                     bestAxis = axis;
@@ -137,34 +136,36 @@ final class TriangleTreeBuilder {
         return cut > from && cut < to ? cut : middle(from, to, widest);
     }
 
-    /** Puts the triangles into bins by their centres. */
-    private void fill(int from, int to, int axis) {
-        for (int bin = 0; bin < BINS; bin++) {
+    /** Puts the triangles into bins by their centres, along each axis. */
+    private void fill(int from, int to) {
+        for (int bin = 0; bin < 3 * BINS; bin++) {
             binCounts[bin] = 0;
             System.arraycopy(EMPTY, 0, binBoxes, 6 * bin, 6);
         }
         for (int i = from; i < to; i++) {
-            int bin = bin(order[i], axis);
-            binCounts[bin]++;
-            grow(binBoxes, 6 * bin, sides, 6 * order[i]);
+            for (int axis = 0; axis < 3; axis++) {
+                int bin = BINS * axis + bin(order[i], axis);
+                binCounts[bin]++;
+                grow(binBoxes, 6 * bin, sides, 6 * order[i]);
+            }
         }
     }
 
-    /** Finds the bin before which to cut; its cost, areas times numbers of triangles, stands in rightCosts. */
-    private int cheapest() {
+    /** Finds the bin of an axis before which to cut; its cost, areas times numbers of triangles, stands in rightCosts. */
+    private int cheapest(int start) {
         double[] box = EMPTY.clone();
         int count = 0;
         for (int bin = BINS - 1; bin > 0; bin--) {
-            count += binCounts[bin];
-            grow(box, 0, binBoxes, 6 * bin);
+            count += binCounts[start + bin];
+            grow(box, 0, binBoxes, 6 * (start + bin));
             rightCosts[bin] = count == 0 ? 0 : count * area(box, 0);
         }
         System.arraycopy(EMPTY, 0, box, 0, 6);
         count = 0;
         int best = 1;
         for (int bin = 1; bin < BINS; bin++) {
-            count += binCounts[bin - 1];
-            grow(box, 0, binBoxes, 6 * (bin - 1));
+            count += binCounts[start + bin - 1];
+            grow(box, 0, binBoxes, 6 * (start + bin - 1));
             rightCosts[bin] += count == 0 ? 0 : count * area(box, 0);
             best = rightCosts[bin] < rightCosts[best] ? bin : best;
         }
@@ -221,7 +222,7 @@ final class TriangleTreeBuilder {
 
     private int bin(int triangle, int axis) {
         double share = (centre(triangle, axis) - around[axis]) / (around[axis + 3] - around[axis]);
-        return Math.min(BINS - 1, (int) (share * BINS));
+        return Math.min(BINS - 1, (int) (share * BINS));      // where all centres are one the share is NaN, and the bin 0
     }
 
     /** {@return twice the centre of a triangle's box along an axis} */
@@ -231,8 +232,10 @@ final class TriangleTreeBuilder {
 
     private static void grow(double[] box, int at, double[] by, int from) {
         for (int axis = 0; axis < 3; axis++) {
-            box[at + axis] = Math.min(box[at + axis], by[from + axis]);
-            box[at + 3 + axis] = Math.max(box[at + 3 + axis], by[from + 3 + axis]);
+            double low = by[from + axis];
+            double high = by[from + 3 + axis];
+            box[at + axis] = low < box[at + axis] ? low : box[at + axis];
+            box[at + 3 + axis] = high > box[at + 3 + axis] ? high : box[at + 3 + axis];
         }
     }
 

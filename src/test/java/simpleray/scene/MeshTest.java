@@ -1,0 +1,233 @@
+package simpleray.scene;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+import static simpleray.scene.Scenes.ray;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import simpleray.math.Bounds;
+import simpleray.math.Point;
+import simpleray.math.Ray;
+import simpleray.math.Vector;
+
+class MeshTest {
+    /** The cube from -1 to 1, its quadrilaterals anticlockwise from outside. */
+    static final String CUBE = """
+        v -1 -1 -1
+        v  1 -1 -1
+        v  1  1 -1
+        v -1  1 -1
+        v -1 -1  1
+        v  1 -1  1
+        v  1  1  1
+        v -1  1  1
+        f 5 6 7 8
+        f 2 1 4 3
+        f 1 5 8 4
+        f 6 2 3 7
+        f 8 7 3 4
+        f 1 2 6 5
+        """;
+    private static final double ROUNDING = 1e-12;
+    /** What a number of an OBJ loses as a float. */
+    private static final double FLOAT = 1e-7;
+
+    @TempDir
+    private Path folder;
+
+    private Mesh mesh(String obj, Point offset, double scale) throws IOException {
+        return new Mesh(new Material(), Files.writeString(folder.resolve("a.obj"), obj).toString(), offset, scale);
+    }
+
+    private Mesh cube() throws IOException {
+        return mesh(CUBE, new Point(), 1);
+    }
+
+    @Test
+    void aCubeOfSixSquaresHasTwelveTriangles() throws IOException {
+        assertThat(cube().size()).isEqualTo(12);
+    }
+
+    @Test
+    void rayHitsTheNearSide() throws IOException {
+        assertThat(cube().intersect(ray(0.25, 0.5, 5, 0, 0, -1))).isEqualTo(4);
+        assertThat(cube().intersect(ray(5, 0.5, 0.25, -1, 0, 0))).isEqualTo(4);
+        assertThat(cube().intersect(ray(0.5, -5, 0.25, 0, 1, 0))).isEqualTo(4);
+    }
+
+    @Test
+    void rayThroughTheDiagonalOfASquareHits() throws IOException {
+        assertThat(cube().intersect(ray(0, 0, 5, 0, 0, -1))).isEqualTo(4);
+    }
+
+    @Test
+    void rayBesideTheCubeMisses() throws IOException {
+        assertThat(cube().intersect(ray(1.001, 0, 5, 0, 0, -1))).isEqualTo(Object.MISS);
+        assertThat(cube().intersect(ray(0, 0, 5, 0, 1, 0))).isEqualTo(Object.MISS);
+    }
+
+    @Test
+    void rayAlongASideHitsTheEdgeBetweenTheOthers() throws IOException {
+        assertThat(cube().intersect(ray(1, 0.5, 5, 0, 0, -1))).isEqualTo(4);
+        assertThat(cube().intersect(ray(1, 1, 5, 0, 0, -1))).isEqualTo(4);
+    }
+
+    @Test
+    void rayFromInsideHitsTheFarSide() throws IOException {
+        assertThat(cube().intersect(ray(0, 0, 0, 0, 0.5, 0))).isEqualTo(2);
+        assertThat(cube().intersect(ray(0.25, 0.5, 1, 0, 0, -1))).as("from the surface").isEqualTo(2);
+    }
+
+    @Test
+    void cubeBehindTheRayIsMissed() throws IOException {
+        assertThat(cube().intersect(ray(0.25, 0.5, 5, 0, 0, 1))).isEqualTo(Object.MISS);
+        assertThat(cube().intersect(ray(0.25, 0.5, 1, 0, 0, 1))).isEqualTo(Object.MISS);
+    }
+
+    @Test
+    void aLongerDirectionCountsFewerOfIts() throws IOException {
+        assertThat(cube().intersect(ray(0.25, 0.5, 5, 0, 0, -4))).isEqualTo(1);
+    }
+
+    @Test
+    void aMeshIsScaledAndThenMoved() throws IOException {
+        // half as large, from -0.5 to 0.5, about (10, 20, 30)
+        Mesh mesh = mesh(CUBE, new Point(10, 20, 30), 0.5);
+        assertThat(mesh.intersect(ray(10.25, 20.375, 35, 0, 0, -1))).isEqualTo(4.5);
+        assertThat(mesh.intersect(ray(10.6, 20, 35, 0, 0, -1))).isEqualTo(Object.MISS);
+        assertNormal(mesh.normal(new Point(10.5, 20.1, 30)), 1.0, 0.0, 0.0);
+    }
+
+    @Test
+    void theNormalIsThatOfTheNearestTriangle() throws IOException {
+        assertNormal(cube().normal(new Point(0.2, 0.1, 1)), 0.0, 0.0, 1.0);
+        assertNormal(cube().normal(new Point(0, -3, 0.2)), 0.0, -1.0, 0.0);
+        assertNormal(cube().normal(new Point(-0.9, 0.1, 0.2)), -1.0, 0.0, 0.0);
+        assertNormal(cube().normal(new Point(4, 1.5, 1.5)), 0.0, 0.0, 1.0);  // three are as near, at a corner: the first of them
+    }
+
+    @Test
+    void aRayEntersAndLeavesACube() throws IOException {
+        Surface front = surface(cube(), ray(0.25, 0.5, 5, 0, 0, -1));
+        assertNormal(front.outward(), 0.0, 0.0, 1.0);
+        assertThat(front.isEnteredBy(new Vector(0, 0, -1))).isTrue();
+        assertThat(surface(cube(), ray(0.25, 0.5, 0, 0, 0, -1)).isEnteredBy(new Vector(0, 0, -1))).isFalse();
+    }
+
+    @Test
+    void aScaleBelowZeroMirrorsAtTheOriginAndTurnsInsideOut() throws IOException {
+        // a single triangle at z = 1 that faces the viewer comes to z = -2, with x and y turned about, and still faces the viewer:
+        // of a solid that would be its inside
+        Mesh mesh = mesh("v 0 0 1\nv 1 0 1\nv 0 1 1\nf 1 2 3", new Point(), -2);
+        Ray ray = ray(-0.5, -0.5, 3, 0, 0, -1);
+        assertThat(mesh.intersect(ray)).isEqualTo(5);
+        assertNormal(surface(mesh, ray).outward(), 0.0, 0.0, 1.0);
+
+        Ray towardsCube = ray(0.25, 0.5, 5, 0, 0, -1);
+        assertThat(surface(mesh(CUBE, new Point(), -1), towardsCube).isEnteredBy(towardsCube.direction)).isFalse();
+    }
+
+    @Test
+    void aPolygonIsAFanFromItsFirstVertex() throws IOException {
+        // an arrowhead: the fan from (0,0) is right
+        String vertices = "v 0 0 0\nv 2 -1 0\nv 1 0 0\nv 2 1 0\n";
+        Mesh mesh = mesh(vertices + "f 1 2 3 4\n", new Point(), 1);
+        assertThat(mesh.size()).isEqualTo(2);
+        assertThat(mesh.intersect(ray(0.9, 0.1, 5, 0, 0, -1))).isEqualTo(5);
+        assertThat(mesh.intersect(ray(1.5, 0, 5, 0, 0, -1))).isEqualTo(Object.MISS);
+    }
+
+    @Test
+    void indicesMayCountBackwards() throws IOException {
+        Mesh mesh = mesh("v 9 9 9\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\nv 0 0 2\nv 1 0 2\nv 0 1 2\nf -3 -2 -1\n", new Point(), 1);
+        assertThat(mesh.intersect(ray(0.25, 0.25, 5, 0, 0, -1))).isEqualTo(3);
+        assertThat(mesh.intersect(ray(0.25, 0.25, 1, 0, 0, -1))).isEqualTo(1);
+    }
+
+    @Test
+    void vertexNormalsShadeAndTheTrueNormalDecidesWhichSideIt() throws IOException {
+        // corners lean to (0.6,0,0.8), (-0.6,0,0.8) and straight up; half way between the first two it is straight
+        Mesh mesh = mesh("""
+            v 0 0 0
+            v 2 0 0
+            v 0 2 0
+            vn 0.6 0 0.8
+            vn -3 0 4
+            vn 0 0 1
+            f 1//1 2//2 3//3
+            """, new Point(), 1);
+        Surface middle = surface(mesh, ray(1, 0, 1, 0, 0, -1));
+        assertThat(middle.shading().x).isEqualTo(0, within(FLOAT));
+        assertThat(middle.shading().z).isEqualTo(1, within(ROUNDING));
+        Surface left = surface(mesh, ray(0, 0, 1, 0, 0, -1));
+        assertThat(left.shading().x).isEqualTo(0.6, within(FLOAT));
+        assertNormal(left.outward(), 0.0, 0.0, 1.0);
+        // a quarter of the way: 3/4 (0.6,0,0.8) + 1/4 (-0.6,0,0.8) = (0.3,0,0.8)
+        Surface quarter = surface(mesh, ray(0.5, 0, 1, 0, 0, -1));
+        assertThat(quarter.shading().x).isEqualTo(0.3 / Math.sqrt(0.73), within(FLOAT));
+        assertThat(quarter.shading().dot(quarter.shading())).isEqualTo(1, within(ROUNDING));
+    }
+
+    @Test
+    void facesWithoutNormalsAndNormalsThatCancelAreFlat() throws IOException {
+        Mesh mesh = mesh("""
+            v 0 0 0
+            v 2 0 0
+            v 0 2 0
+            f 1 2 3
+            v 0 0 -1
+            v 2 0 -1
+            v 0 2 -1
+            vn 1 0 0
+            vn -1 0 0
+            vn 0 0 0
+            f 4//1 5//2 6//3
+            f 4//3 5//3 6//3
+            """, new Point(), 1);
+        assertNormal(surface(mesh, ray(0.5, 0.5, 1, 0, 0, -1)).shading(), 0.0, 0.0, 1.0);
+        assertNormal(surface(mesh, ray(1, 0, -0.5, 0, 0, -1)).shading(), 0.0, 0.0, 1.0);
+    }
+
+    @Test
+    void ofTwoTrianglesAtTheSameDistanceTheFirstWins() throws IOException {
+        String vertices = "v 0 0 0\nv 2 0 0\nv 0 2 0\n";
+        Ray ray = ray(0.5, 0.5, 1, 0, 0, -1);
+        assertThat(surface(mesh(vertices + "f 1 2 3\nf 1 3 2\n", new Point(), 1), ray).outward().z).isEqualTo(1);
+        assertThat(surface(mesh(vertices + "f 1 3 2\nf 1 2 3\n", new Point(), 1), ray).outward().z).isEqualTo(-1);
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {1, -2, 1e-3, 1e4})
+    void theBoundsHoldTheMeshAndLittleElse(double scale) throws IOException {
+        Bounds box = mesh(CUBE, new Point(0.1, 0.2, 0.3), scale).bounds();
+        double half = Math.abs(scale);
+        for (int i = 0; i < 8; i++) {
+            Point corner = new Point(0.1 + (i % 2 * 2 - 1) * half, 0.2 + (i / 2 % 2 * 2 - 1) * half, 0.3 + (i / 4 * 2 - 1) * half);
+            assertThat(box.contains(corner)).isTrue();
+        }
+        assertThat(box.xmin()).isEqualTo(0.1 - half, within(ROUNDING * (1 + half)));
+        assertThat(box.zmax()).isEqualTo(0.3 + half, within(ROUNDING * (1 + half)));
+    }
+
+    @Test
+    void aNewMeshIsHitByNoRay() {
+        assertThat(new Mesh().intersect(ray(0, 0, 5, 0, 0, -1))).isEqualTo(Object.MISS);
+        assertThat(new Mesh().size()).isZero();
+        assertThat(new Mesh().bounds()).isEqualTo(Bounds.of(new Point()));
+    }
+
+    private static void assertNormal(Vector normal, double x, double y, double z) {
+        assertThat(normal.x == x && normal.y == y && normal.z == z).as(normal.toString()).isTrue();   // -0 is 0
+    }
+
+    private static Surface surface(Mesh mesh, Ray ray) {
+        double t = mesh.intersect(ray);
+        return mesh.surface(ray, t, ray.getPointAt(t));
+    }
+}

@@ -1,0 +1,148 @@
+package simpleray.scene;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import simpleray.text.Problem;
+import simpleray.text.SceneFormatException;
+
+/** OBJ files, right and wrong. */
+class ObjPolygonsTest {
+    private static final String THREE = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+
+    @TempDir
+    private Path folder;
+    private final List<Problem> warnings = new ArrayList<>();
+
+    private Triangles read(String text) throws IOException {
+        return ObjPolygons.read(Files.writeString(folder.resolve("a.obj"), text), warnings::add);
+    }
+
+    /** Checks the error at a place, the source line that it shows being the text's. */
+    private void assertError(String text, int line, int column, String message) {
+        String source = text.split("\n", -1)[line - 1];
+        assertThatThrownBy(() -> read(text)).isInstanceOf(SceneFormatException.class).hasMessage(folder.resolve("a.obj") + ":" + line + ':'
+            + column + ": error: expected " + message + '\n' + source + '\n' + " ".repeat(column - 1) + '^');
+    }
+
+    @Test
+    void aPolygonBecomesAFan() throws IOException {
+        assertThat(read(THREE + "v 0 0 1\nv 1 1 1\nf 1 2 3 4 5\n").corners()).containsExactly(0, 1, 2, 0, 2, 3, 0, 3, 4);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"f 1 2 3", "f -3 -2 -1", "f 1/1 2/2 3/3", "f 1/4/ 2/4/ 3/4/", "F 1/ 2/ 3/",
+        "\tf\t1\t2  3 # corner", "f 1 \\\n2 \\\n 3", "f 1 2\\\n3", "s off\nl 1 2 3\ng x # y\nusemtl \"q\nmtllib a b\nhello\n\nf 1 2 3\r", "# C:\\\nf 1 2 3"})
+    void aTriangleMayBeWrittenInManyWays(String face) throws IOException {
+        Triangles triangles = read(THREE + face + "\n");
+        assertThat(triangles.corners()).containsExactly(0, 1, 2);
+        assertThat(triangles.cornerNormals()).isNull();
+        assertThat(warnings).isEmpty();
+    }
+
+    @Test
+    void weightsAndColoursBehindAVertexArePassedOver() throws IOException {
+        assertThat(read("\uFEFFv 0.5 1 2 0.5\nV 1 0 0 0.1 0.2 0.3\nv 0 1e0 0 # top\nf 1 2 3").vertices())
+            .containsExactly(0.5, 1, 2, 1, 0, 0, 0, 1, 0);
+    }
+
+    @Test
+    void coordinatesAreFloats() throws IOException {
+        assertThat(read("v 0.1 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3").vertices()[0]).isEqualTo(0.1f).isNotEqualTo(0.1);
+    }
+
+    @Test
+    void normalsAreMadeOfUnitLength() throws IOException {
+        Triangles triangles = read(THREE + "vn 0 0 4\nvn 0 0 0\nvn 3 0 4\nf 1 2 3\nf 1//1 2//-2 3/7/3\nf 3 2 1\n");
+        assertThat(triangles.normals()).containsExactly(0, 0, 1, 0, 0, 0, 3 * (1.0 / 5), 0, 4 * (1.0 / 5));
+        assertThat(triangles.cornerNormals()).containsExactly(-1, -1, -1, 0, 1, 2, -1, -1, -1);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"x", "NaN", "Infinity", "-inf", "1f", "0x1p3", "1e39", "1,5", "--1"})
+    void aVertexConsistsOfFiniteNumbers(String word) {
+        assertError("v 0 0 0\nv 1 " + word + " 0\n", 2, 5, "vertex 2's y, found '" + word + "'");
+        assertError("vn 0 0 " + word + "\n", 1, 8, "normal 1's z, found '" + word + "'");
+    }
+
+    @Test
+    void aVertexHasThreeNumbers() {
+        assertError("v 0 0 0\n\tv 1 2 # 3\n".replace("\t", " "), 2, 7, "vertex 2's z, found the end of the line");
+        assertError("v", 1, 2, "vertex 1's x, found the end of the line");
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0", "4", "-4", "99999999999"})
+    void anIndexIsOneOfTheVerticesSoFar(String index) {
+        assertError(THREE + "f 1 2 3\nf 1 " + index + " 2\nv 9 9 9\n", 5, 5,
+            "polygon 2's vertex index among the 3 so far, found '" + index + "'");
+    }
+
+    @Test
+    void anIndexOfANormalIsOneOfTheNormalsSoFar() {
+        assertError(THREE + "f 1//1 2//1 3//1\n", 4, 3, "polygon 1's normal index among the 0 so far, found '1//1'");
+        assertError(THREE + "vn 0 0 1\nf 1//1 2//-2 3//1\n", 5, 8, "polygon 1's normal index among the 1 so far, found '2//-2'");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"x", "1.5", "+", "/1", "\"2\"", "//"})
+    void anIndexIsAnInteger(String word) {
+        assertError(THREE + "f 1 " + word + " 3\n", 4, 5, "polygon 1's vertex index, found '" + word + "'");
+    }
+
+    @Test
+    void textureIndicesAreIntegersToo() {
+        assertError(THREE + "f 1/x 2/1 3/1\n", 4, 3, "polygon 1's texture index, found '1/x'");
+        assertError(THREE + "f 1/0 2/1 3/1\n", 4, 3, "polygon 1's texture index, found '1/0'");
+        assertError(THREE + "vn 0 0 1\nf 1/1/1/1 2 3\n", 5, 3, "polygon 1's vertex/texture/normal, found '1/1/1/1'");
+    }
+
+    @Test
+    void cornersHaveNormalsAllOrNone() {
+        assertError(THREE + "vn 0 0 1\nf 1//1 2 3//1\n", 5, 8, "polygon 1's corners all with normals or all without, found '2'");
+        assertError(THREE + "vn 0 0 1\nf 1 2//1 3//1\n", 5, 5, "polygon 1's corners all with normals or all without, found '2//1'");
+    }
+
+    @Test
+    void aPolygonHasThreeCorners() {
+        assertError(THREE + "f 1 2 # 3\n", 4, 6, "polygon 1's corner 3 of at least 3, found the end of the line");
+        assertError(THREE + "f\n", 4, 2, "polygon 1's corner 1 of at least 3, found the end of the line");
+    }
+
+    @Test
+    void anErrorInAContinuedLineIsShownWhereItStands() {
+        assertError(THREE + "f 1 2 \\\n  9 3\n", 5, 3, "polygon 1's vertex index among the 3 so far, found '9'");
+    }
+
+    @Test
+    void aFileWithoutPolygonsIsAnError() {
+        assertError("", 1, 1, "a polygon that has an area, found the end of the file");
+        assertError("# nothing", 1, 10, "a polygon that has an area, found the end of the file");
+        assertError("v 0 0 0\nv 1 0 0 # x\n", 2, 12, "a polygon that has an area, found the end of the file");
+        assertError("v 0 0 0\nv 1 0 0\nf 1 2 1", 3, 8, "a polygon that has an area, found the end of the file");
+    }
+
+    @Test
+    void aTriangleWithoutAreaIsSkippedWithOneWarning() throws IOException {
+        assertThat(read(THREE + "f 1 2 3\nf 1 2 2\nf 1 2 3\n").count()).isEqualTo(2);
+        assertThat(warnings).extracting(Problem::toString).containsExactly(folder.resolve("a.obj")
+            + ":5:1: warning: expected triangles that have an area, found 1 without, which is skipped\nf 1 2 2\n^");
+    }
+
+    @Test
+    void bytesThatAreNoTextAreNoObj() throws IOException {
+        Path path = Files.write(folder.resolve("a.obj"), new byte[] {(byte) 0x89, 'P', 'N', 'G', 0, (byte) 0xff, '\n', 1});
+        assertThatThrownBy(() -> ObjPolygons.read(path, warnings::add)).isInstanceOf(SceneFormatException.class)
+            .hasMessageStartingWith(path + ":2:2: error: expected a polygon that has an area, found the end of the file");
+    }
+}
