@@ -111,7 +111,8 @@ class MeshTextTest {
     @Test
     void aMissingFileIsAnErrorAndReadingGoesOn() {
         assertThat(message("1\n4 \"no.obj\" 0 x 0 0 " + END)).isEqualTo(
-            scene + ":2:3: error: expected object 1's OBJ file that can be read (" + folder.resolve("no.obj") + ": no such file), found '\"no.obj\"'\n4 \"no.obj\" 0 x 0 0 " + MATERIAL + "\n  ^\n"
+            scene + ":2:3: error: expected object 1's OBJ file that can be read (" + folder.resolve("no.obj")
+            + ": no such file), found '\"no.obj\"'\n4 \"no.obj\" 0 x 0 0 " + MATERIAL + "\n  ^\n"
             + scene + ":2:14: error: expected object 1's offset y, found 'x'\n4 \"no.obj\" 0 x 0 0 " + MATERIAL + "\n             ^\n"
             + scene + ":2:18: error: expected object 1's scale other than 0, found '0'\n4 \"no.obj\" 0 x 0 0 " + MATERIAL
             + "\n                 ^");
@@ -133,7 +134,8 @@ class MeshTextTest {
     @Test
     void anErrorInTheObjIsReportedOnceAmongThoseOfTheScene() throws IOException {
         Path obj = Files.writeString(folder.resolve("bad.obj"), "v 0 0\n");
-        assertThat(message("3\n0 0 0 0 -1 " + MATERIAL + "\n4 \"bad.obj\" 0 0 0 1 " + MATERIAL + "\n4 \"bad.obj\" 0 0 0 1 " + END)).isEqualTo(
+        String text = "3\n0 0 0 0 -1 " + MATERIAL + "\n4 \"bad.obj\" 0 0 0 1 " + MATERIAL + "\n4 \"bad.obj\" 0 0 0 1 " + END;
+        assertThat(message(text)).isEqualTo(
             scene + ":2:9: error: expected object 1's radius above 0, found '-1'\n0 0 0 0 -1 " + MATERIAL + "\n        ^\n"
             + obj + ":1:6: error: expected vertex 1's z, found the end of the line\nv 0 0\n     ^");
     }

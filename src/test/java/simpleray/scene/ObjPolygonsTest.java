@@ -42,7 +42,8 @@ class ObjPolygonsTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"f 1 2 3", "f -3 -2 -1", "f 1/1 2/2 3/3", "f 1/4/ 2/4/ 3/4/", "F 1/ 2/ 3/",
-        "\tf\t1\t2  3 # corner", "f 1 \\\n2 \\\n 3", "f 1 2\\\n3", "s off\nl 1 2 3\ng x # y\nusemtl \"q\nmtllib a b\nhello\n\nf 1 2 3\r", "# C:\\\nf 1 2 3"})
+        "\tf\t1\t2  3 # corner", "f 1 \\\n2 \\\n 3", "f 1 2\\\n3",
+        "s off\nl 1 2 3\ng x # y\nusemtl \"q\nmtllib a b\nhello\n\nf 1 2 3\r", "# C:\\\nf 1 2 3"})
     void aTriangleMayBeWrittenInManyWays(String face) throws IOException {
         Triangles triangles = read(THREE + face + "\n");
         assertThat(triangles.corners()).containsExactly(0, 1, 2);

@@ -38,8 +38,8 @@ class TriangleTreeTest {
                     looped.look(triangles.vertices(), 3 * c[3 * n], 3 * c[3 * n + 1], 3 * c[3 * n + 2], n);
                 }
                 if (walked.triangle != looped.triangle || Double.doubleToLongBits(walked.t) != Double.doubleToLongBits(looped.t)) {
-                    fail("scene %d, ray %d: the tree finds triangle %d at %s, the loop %d at %s".formatted(scene, i, walked.triangle, walked.t,
-                        looped.triangle, looped.t));
+                    fail("scene %d, ray %d: the tree finds triangle %d at %s, the loop %d at %s".formatted(
+                        scene, i, walked.triangle, walked.t, looped.triangle, looped.t));
                 }
                 hits += walked.triangle < 0 ? 0 : 1;
             }
