@@ -8,7 +8,8 @@ import simpleray.scene.Scene;
 
 /** Rewrites a scene in canonical form. */
 @Command(name = "convert", mixinStandardHelpOptions = true,
-    description = "Rewrites a scene in canonical form: the same scene, one line for each thing, comments aside. IN and OUT may be one file.")
+    description = "Rewrites a scene in canonical form: the same scene, one line for each thing, comments aside. "
+        + "IN and OUT may be one file.")
 final class ConvertCommand implements Callable<Integer> {
     @ParentCommand
     private Main main;

@@ -26,7 +26,8 @@ class LittleMemoryTest {
         Program.Result result = run(line.split(" "));
 
         assertThat(result.err()).isEqualTo("boast.scene:3:1: error: "
-            + "expected object 2's type (0 sphere, 1 plane, 2 triangle, 3 cylinder; 2000000000 objects announced), found the end of the file\n\n^\n");
+            + "expected object 2's type (0 sphere, 1 plane, 2 triangle, 3 cylinder, 4 mesh; 2000000000 objects announced), "
+            + "found the end of the file\n\n^\n");
         assertThat(result.exitCode()).isEqualTo(ExitCode.BAD_SCENE);
     }
 

@@ -51,7 +51,7 @@ class SceneFileTest {
         Path path = Files.writeString(folder.resolve("a.scene"), "1\n5");
 
         assertThatThrownBy(() -> SceneFile.read(path)).isInstanceOf(SceneFormatException.class).hasMessage(
-            path + ":2:1: error: expected object 1's type (0 sphere, 1 plane, 2 triangle, 3 cylinder; 1 objects announced), found '5'"
+            path + ":2:1: error: expected object 1's type (0 sphere, 1 plane, 2 triangle, 3 cylinder, 4 mesh; 1 objects announced), found '5'"
                 + "\n5\n^");
     }
 

@@ -21,7 +21,7 @@ class SceneReadCountsTest {
     void tooFewObjectsAreNoticedWhereATypeShouldStand() {
         // the ambient light's first number is taken for the type of the missing object
         assertThatThrownBy(() -> read("2\n" + SPHERE + AMBIENT + "0")).hasMessage("""
-            <stdin>:3:1: error: expected object 2's type (0 sphere, 1 plane, 2 triangle, 3 cylinder; 2 objects announced), found '0.3'
+            <stdin>:3:1: error: expected object 2's type (0 sphere, 1 plane, 2 triangle, 3 cylinder, 4 mesh; 2 objects announced), found '0.3'
             0.3 0.3 0.3
             ^""");
     }
@@ -64,7 +64,7 @@ class SceneReadCountsTest {
     @ValueSource(strings = {"-1", "9", "0.0", "1e0", "2147483648"})
     void anUnknownTypeOfObjectIsAnError(String type) {
         assertThatThrownBy(() -> read("1\n" + type + " 0 0 0 1")).hasMessage(
-            "<stdin>:2:1: error: expected object 1's type (0 sphere, 1 plane, 2 triangle, 3 cylinder; 1 objects announced), found '"
+            "<stdin>:2:1: error: expected object 1's type (0 sphere, 1 plane, 2 triangle, 3 cylinder, 4 mesh; 1 objects announced), found '"
                 + type + "'\n" + type + " 0 0 0 1\n^");
     }
 
@@ -89,7 +89,7 @@ class SceneReadCountsTest {
             <stdin>:2:7: error: expected object 1's centre z, found 'x'
             0 0 0 x 1 1 1 1 1 1 1 0 0 0 2
                   ^
-            <stdin>:3:1: error: expected object 2's type (0 sphere, 1 plane, 2 triangle, 3 cylinder; 2 objects announced), found '7'
+            <stdin>:3:1: error: expected object 2's type (0 sphere, 1 plane, 2 triangle, 3 cylinder, 4 mesh; 2 objects announced), found '7'
             7
             ^""");
     }
