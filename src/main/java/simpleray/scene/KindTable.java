@@ -51,7 +51,7 @@ final class KindTable<T extends SceneElement> {
     }
 
     private T create(SceneReader is, String field) throws IOException {
-        int code = is.readInt(field, 0);
+        int code = is.readInt(field, 0, Integer.MAX_VALUE);
         for (Line<T> line : lines) {
             if (line.code == code) {
                 return line.maker.get();

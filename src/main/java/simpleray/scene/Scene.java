@@ -257,13 +257,13 @@ public final class Scene {
      */
     public void read(SceneReader is) throws IOException {
         is.tolerate(MOST_ERRORS);
-        int n = is.readInt("the number of objects", 0);
+        int n = is.readInt("the number of objects", 0, Integer.MAX_VALUE);
         List<Object> newObjects = ObjectKind.TABLE.readAll(is, n);
         is.enter("the scene's ambient");
         Colour newAmbient = new Colour();
         newAmbient.read(is);
         is.leave();
-        int m = is.readInt("the number of lights (after " + n + " objects and the ambient light)", 0);
+        int m = is.readInt("the number of lights (after " + n + " objects and the ambient light)", 0, Integer.MAX_VALUE);
         List<Light> newLights = LightKind.TABLE.readAll(is, m);
         String end = "the end of the scene (after " + n + " objects and " + m + " lights)";
         SceneSettings newSettings = new SceneSettings();

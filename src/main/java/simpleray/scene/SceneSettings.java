@@ -104,6 +104,9 @@ public final class SceneSettings {
     void read(SceneReader is) throws IOException {
         Set<String> seen = new HashSet<>();
         for (String word = is.takeKeyword(KEYWORDS); word != null; word = is.takeKeyword(KEYWORDS)) {
+            if (!is.isFirstOnLine()) {
+                is.reject("keyword " + word + " on a line of its own");
+            }
             if (!seen.add(word)) {
                 is.reject("keyword " + word + " only once");
             }

@@ -157,19 +157,7 @@ public final class SceneReader implements Closeable {
      * @throws IOException if the next word is no integer of that range, or the file cannot be read
      */
     public int readInt() throws IOException {
-        return readInt("an integer", Integer.MIN_VALUE);
-    }
-
-    /**
-     * Reads a count or code, on which the reading of all that follows depends: a bad one is never tolerated.
-     *
-     * @param field what it is, for the message
-     * @param least the smallest integer allowed
-     * @return the integer
-     * @throws IOException if the next word is no such integer, or the file cannot be read
-     */
-    public int readInt(String field, int least) throws IOException {
-        return readInt(field, least, Integer.MAX_VALUE);
+        return readInt("an integer", Integer.MIN_VALUE, Integer.MAX_VALUE);
     }
 
     /**
@@ -249,6 +237,11 @@ public final class SceneReader implements Closeable {
      */
     public String takeKeyword(Set<String> keywords) throws IOException {
         return words.skip(keywords) && keywords.contains(words.peek()) ? word("a keyword", keywords) : null;
+    }
+
+    /** {@return whether the value just read is the first on its line} */
+    public boolean isFirstOnLine() {
+        return last.source().substring(0, last.at()).isBlank();
     }
 
     /** Begins a group: the values read from here on may be rejected together. */

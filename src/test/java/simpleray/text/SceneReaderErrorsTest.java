@@ -82,7 +82,7 @@ class SceneReaderErrorsTest {
         is.tolerate(20);
         is.readDouble();
 
-        assertThatThrownBy(() -> is.readInt("type", 0)).hasMessage("""
+        assertThatThrownBy(() -> is.readInt("type", 0, Integer.MAX_VALUE)).hasMessage("""
             <stdin>:1:1: error: expected a number, found '*'
             * 1.5
             ^

@@ -67,13 +67,13 @@ class SceneReaderNumbersTest {
     @ParameterizedTest
     @ValueSource(strings = {"-1", "9.0", "2147483648"})
     void aCountIsAnIntegerOfZeroOrMore(String word) {
-        assertThatThrownBy(() -> reader(word).readInt("the number of objects", 0)).isInstanceOf(SceneFormatException.class)
+        assertThatThrownBy(() -> reader(word).readInt("the number of objects", 0, Integer.MAX_VALUE)).isInstanceOf(SceneFormatException.class)
             .hasMessage("<stdin>:1:1: error: expected the number of objects, found '" + word + "'\n" + word + "\n^");
     }
 
     @Test
     void aCountMayBeZero() throws IOException {
-        assertThat(reader("0").readInt("the number of objects", 0)).isZero();
+        assertThat(reader("0").readInt("the number of objects", 0, Integer.MAX_VALUE)).isZero();
     }
 
     /** A word that stands at column 3, for at the start of a line a letter would begin a heading. */
