@@ -18,6 +18,7 @@ import picocli.CommandLine.IVersionProvider;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.TypeConversionException;
 import simpleray.render.Stage;
+import simpleray.scene.PovChannel;
 
 /** The program: {@code simpleray SCENE} opens the window, the other commands work without one. */
 @Command(name = "simpleray", versionProvider = Main.Version.class, mixinStandardHelpOptions = true,
@@ -33,7 +34,7 @@ import simpleray.render.Stage;
         "69:no display for a window", "70:internal error", "71:too large for the memory", "73:the output cannot be created",
         "74:the output cannot be written"},
     subcommands = {ViewCommand.class, RenderCommand.class, FiguresCommand.class, PrintCommand.class, CheckCommand.class,
-        ConvertCommand.class, GenerateCompletion.class, HelpCommand.class})
+        ConvertCommand.class, ExportCommand.class, GenerateCompletion.class, HelpCommand.class})
 public final class Main implements Runnable {
     private final InputStream in;
     private final OutputStream out;
@@ -69,6 +70,7 @@ public final class Main implements Runnable {
         line.setOut(results).setErr(new PrintWriter(err, true));
         line.setExpandAtFiles(false);                         // a file name may begin with @
         line.registerConverter(Stage.class, word -> constant(Stage.values(), word));
+        line.registerConverter(PovChannel.class, word -> constant(PovChannel.values(), word));
         line.registerConverter(ProgressPrinter.Style.class, word -> constant(ProgressPrinter.Style.values(), word));
         line.getSubcommands().get("generate-completion").getCommandSpec().usageMessage().description(
             "Prints a script that completes simpleray's commands and options in bash and zsh: source <(simpleray generate-completion)");

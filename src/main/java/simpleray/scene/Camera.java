@@ -1,6 +1,8 @@
 package simpleray.scene;
 
+import java.io.IOException;
 import simpleray.math.Ray;
+import simpleray.text.SceneWriter;
 
 /** A viewer: makes the rays that go through a picture. Any thread may ask once it is set up. */
 public interface Camera {
@@ -18,4 +20,12 @@ public interface Camera {
      * @return a new ray of unit direction
      */
     Ray through(double px, double py);
+
+    /**
+     * Writes the camera for POV-Ray 3.7, whole.
+     *
+     * @param os where to
+     * @throws IOException if it cannot be written
+     */
+    void writePov(SceneWriter os) throws IOException;
 }

@@ -1,8 +1,10 @@
 package simpleray.scene;
 
+import java.io.IOException;
 import simpleray.math.Point;
 import simpleray.math.Ray;
 import simpleray.math.Vector;
+import simpleray.text.SceneWriter;
 
 /** A viewer that stands anywhere and looks anywhere. <em>Constant.</em> Up is +y, or -z if the view is along y. */
 public final class PerspectiveCamera implements Camera {
@@ -61,6 +63,11 @@ public final class PerspectiveCamera implements Camera {
             }
             return ex == lx && ey == ly && ez == lz ? LOOK_AT : null;
         }
+    }
+
+    @Override
+    public void writePov(SceneWriter os) throws IOException {
+        Pov.camera(os, eye, forward, Vector.scale(right, width), Vector.scale(down, -height));
     }
 
     @Override

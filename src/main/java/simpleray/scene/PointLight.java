@@ -1,6 +1,7 @@
 package simpleray.scene;
 
 import java.io.IOException;
+import simpleray.math.Colour;
 import simpleray.math.Point;
 import simpleray.math.Vector;
 import simpleray.text.SceneReader;
@@ -31,6 +32,14 @@ public final class PointLight extends Light {
         double distance = l.norm();
         l.normalise();
         return distance;
+    }
+
+    @Override
+    public void writePov(SceneWriter os, Colour colour) throws IOException {
+        os.writeString("light_source { ");
+        Pov.vector(os, origin.x, origin.y, origin.z);
+        os.writeString(", ");
+        Pov.colour(os, colour);
     }
 
     @Override

@@ -1,8 +1,10 @@
 package simpleray.scene;
 
+import java.io.IOException;
 import simpleray.math.Point;
 import simpleray.math.Ray;
 import simpleray.math.Vector;
+import simpleray.text.SceneWriter;
 
 /**
  * The viewer: the centre of projection lies on the z axis, and a viewport window on the XY plane (thesis, chapter 5).
@@ -129,6 +131,12 @@ public final class SimpleCamera implements Camera {
         Vector direction = new Vector(wx, wy, -cop);
         direction.normalise();
         return new Ray(new Point(0, 0, cop), direction);
+    }
+
+    @Override
+    public void writePov(SceneWriter os) throws IOException {
+        Pov.camera(os, new Point(0, 0, cop), new Vector((xmin + xmax) / 2, (ymin + ymax) / 2, -cop),
+            new Vector(xmax - xmin, 0, 0), new Vector(0, ymax - ymin, 0));
     }
 
     @Override

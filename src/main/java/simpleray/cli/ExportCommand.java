@@ -1,0 +1,77 @@
+package simpleray.cli;
+
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.IModelTransformer;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.ParentCommand;
+import picocli.CommandLine.Spec;
+import simpleray.render.RenderSettings;
+import simpleray.render.Stage;
+import simpleray.scene.PovChannel;
+import simpleray.scene.PovScene;
+import simpleray.scene.Scene;
+import simpleray.scene.SceneSettings;
+
+/** Writes a scene for another renderer. */
+@Command(name = "export", mixinStandardHelpOptions = true, sortOptions = false, modelTransformer = ExportCommand.Fewer.class,
+    description = "Writes a scene for POV-Ray 3.7, which makes the same picture of it, as nearly as it can.")
+final class ExportCommand implements Callable<Integer> {
+    @ParentCommand
+    private Main main;
+
+    @Spec
+    private CommandSpec spec;
+
+    @Parameters(paramLabel = "SCENE", description = SceneArgument.DESCRIPTION)
+    private String scene;
+
+    @Option(names = "--pov", required = true, description = "For POV-Ray 3.7.")
+    private boolean pov;
+
+    @Option(names = {"-o", "--output"}, paramLabel = "OUT.pov", required = true,
+        description = "The file to write; - is standard output.")
+    private String output;
+
+    @Option(names = "--channel", paramLabel = "CHANNEL", defaultValue = "all",
+        description = "${COMPLETION-CANDIDATES} (default: ${DEFAULT-VALUE}): one colour channel, as a grey picture, is exact; in all "
+            + "of them at once coloured highlights turn grey.")
+    private PovChannel channel;
+
+    @Mixin
+    private PictureOptions picture;
+
+    @Override
+    public Integer call() throws Failure {
+        SceneSettings asked = picture.request(Stage.FINAL, 1).settings();
+        if (TextOutput.isSame(scene, output)) {
+            throw new ParameterException(spec.commandLine(), "the output " + output + " is the scene itself");
+        }
+        Scene read = SceneArgument.read(scene, main.in(), main.err()).scene();
+        read.settings = read.settings.under(asked);
+        int depth = read.settings.depth == null ? RenderSettings.DEFAULT_DEPTH : read.settings.depth;
+        PovScene exported = new PovScene(read, read.settings.newCamera(), depth, channel);
+        try {
+            TextOutput.write(main, output, exported::write);
+        } catch (UnsupportedOperationException e) {
+            throw new Failure(ExitCode.BAD_SCENE, "simpleray: " + scene + ": " + e.getMessage());
+        }
+        for (String warning : exported.warnings()) {
+            main.err().println(scene + ": warning: " + warning);
+        }
+        return ExitCode.DONE;
+    }
+
+    /** Takes out the picture option that an exported scene cannot hold: POV-Ray smooths edges by +A. */
+    static final class Fewer implements IModelTransformer {
+        @Override
+        public CommandSpec transform(CommandSpec spec) {
+            spec.remove(spec.findOption("--samples"));
+            return spec;
+        }
+    }
+}

@@ -1,0 +1,38 @@
+package simpleray.scene;
+
+import java.util.Locale;
+import java.util.function.ToDoubleFunction;
+import simpleray.math.Colour;
+
+/** Which colour channels a scene for POV-Ray shows. Of one channel it shows a grey picture, and exactly ours. */
+public enum PovChannel {
+    /** Red alone. */
+    R(c -> c.r),
+    /** Green alone. */
+    G(c -> c.g),
+    /** Blue alone. */
+    B(c -> c.b),
+    /** All three. */
+    ALL(null);
+
+    private final ToDoubleFunction<Colour> value;
+
+    PovChannel(ToDoubleFunction<Colour> value) {
+        this.value = value;
+    }
+
+    /** {@return the name as the command line has it, in lower case} */
+    @Override
+    public String toString() {
+        return name().toLowerCase(Locale.ROOT);
+    }
+
+    /** {@return a new colour that shows these channels of another} */
+    Colour of(Colour c) {
+        if (value == null) {
+            return new Colour(c);
+        }
+        double grey = value.applyAsDouble(c);
+        return new Colour(grey, grey, grey);
+    }
+}

@@ -1,0 +1,213 @@
+package simpleray.scene;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import simpleray.math.Bounds;
+import simpleray.math.Colour;
+import simpleray.text.SceneWriter;
+
+/**
+ * A scene as POV-Ray 3.7 reads it, for the finished picture. <em>Constant</em>; the scene is referenced, and must not change.
+ *
+ * <p>Light passes through our glass and is dimmed once for each object, in POV-Ray once for each surface. So what is seen of an object
+ * that dims light casts no shadow there, and a twin that nobody sees casts it.
+ */
+public final class PovScene {
+    /** The most that POV-Ray lets one ask for: a ray from the eye counts too. */
+    private static final int MOST_DEPTH = 255;
+    /** How many objects a warning names. */
+    private static final int MOST_NAMED = 8;
+
+    private final Scene scene;
+    private final Camera camera;
+    private final PovChannel shown;
+    private final List<PovMaterial> materials = new ArrayList<>();
+    private final List<String> warnings = new ArrayList<>();
+    private final int depth;
+
+    /**
+     * Prepares a scene.
+     *
+     * @param scene the scene; of its settings only the background counts
+     * @param camera the camera
+     * @param depth the most reflections of a ray from the eye
+     * @param shown which colour channels are shown
+     */
+    public PovScene(Scene scene, Camera camera, int depth, PovChannel shown) {
+        this.scene = scene;
+        this.camera = camera;
+        this.shown = shown;
+        for (int i = 0; i < scene.getNumberObjects(); i++) {
+            materials.add(new PovMaterial(scene.getObject(i).surfaceMaterial, scene.ambient, shown, depth));
+        }
+        this.depth = commonDepth(depth);
+        warnOfColours();
+        warnOfGlass();
+    }
+
+    /** {@return what POV-Ray shows otherwise than we do, a sentence each} */
+    public List<String> warnings() {
+        return List.copyOf(warnings);
+    }
+
+    /**
+     * Writes the scene.
+     *
+     * @param os where to
+     * @throws IOException if it cannot be written
+     * @throws UnsupportedOperationException if an object or a light has no form in POV-Ray; the message names it
+     */
+    public void write(SceneWriter os) throws IOException {
+        int width = camera.width();
+        int height = camera.height();
+        os.writeString("// Written by SimpleRay for POV-Ray 3.7 (channels shown: " + shown + "). Render it with:\n// povray +IFILE.pov +OFILE.png +W"
+            + width + " +H" + height + " -A -D +FN8 File_Gamma=1.0\n#version 3.7;\nglobal_settings { assumed_gamma 1 max_trace_level "
+            + (depth + 1) + " adc_bailout 0 ambient_light rgb 1 }\n");
+        Colour background = scene.settings.background == null ? new Colour() : scene.settings.background;
+        os.writeString("background { ");
+        Pov.colour(os, shown.of(background));
+        os.writeString(" }\n");
+        camera.writePov(os);
+        for (int i = 0; i < scene.getNumberLights(); i++) {
+            write(os, "light", i, scene.getLight(i));
+        }
+        Map<String, String> names = new HashMap<>();
+        for (int i = 0; i < materials.size(); i++) {
+            PovMaterial material = materials.get(i);
+            Object object = scene.getObject(i);
+            String look = declared(os, names, material.look(object.isSolid() || object.bounds() == null));
+            if (material.dims()) {                            // the twin first: of things around the eye, the last counts
+                String shade = declared(os, names, material.shade(object.isSolid()));
+                write(os, "object", i, object);
+                os.writeString(" material { " + shade + " } no_image no_reflection }\n");
+            }
+            write(os, "object", i, object);
+            os.writeString(" material { " + look + (material.transmits ? " } no_shadow }\n" : " } }\n"));
+        }
+    }
+
+    private void write(SceneWriter os, String what, int i, SceneElement thing) throws IOException {
+        try {
+            if (thing instanceof Light light) {
+                light.writePov(os, shown.of(light.intensity));
+                os.writeString(" }\n");
+            } else {
+                ((Object) thing).writePov(os);
+            }
+        } catch (UnsupportedOperationException e) {
+            throw (UnsupportedOperationException) new UnsupportedOperationException(what + ' ' + (i + 1) + ": " + e.getMessage()).initCause(e);
+        }
+    }
+
+    /** {@return the name of a material, which is declared when it first comes} */
+    private static String declared(SceneWriter os, Map<String, String> names, String text) throws IOException {
+        String name = names.get(text);
+        if (name == null) {
+            name = "M" + (names.size() + 1);
+            names.put(text, name);
+            os.writeString("#declare " + name + " = material { " + text + " }\n");
+        }
+        return name;
+    }
+
+    /** Finds the depth that stands for those that the materials grant; POV-Ray has one for all of them. */
+    private int commonDepth(int most) {
+        TreeMap<Integer, List<Integer>> granted = new TreeMap<>();
+        for (int i = 0; i < materials.size(); i++) {
+            if (materials.get(i).follows) {
+                int grants = Math.min(most, scene.getObject(i).surfaceMaterial.reflections());
+                granted.computeIfAbsent(grants, k -> new ArrayList<>()).add(i);
+            }
+        }
+        if (granted.isEmpty()) {
+            return 0;
+        }
+        int common = granted.lastKey();
+        granted.headMap(common).forEach((grants, which) -> warn(which, "grants", "grant", grants + " reflections by shininess, and other "
+            + "materials " + common + ": POV-Ray has one depth for all. With --depth " + granted.firstKey() + " both make the same picture"));
+        if (common > MOST_DEPTH) {
+            warnings.add("POV-Ray follows " + MOST_DEPTH + " reflections at most, and here are " + common);
+            return MOST_DEPTH;
+        }
+        return common;
+    }
+
+    private void warnOfColours() {
+        List<Integer> which = new ArrayList<>();
+        for (int i = 0; i < materials.size(); i++) {
+            if (!materials.get(i).isExact()) {
+                which.add(i);
+            }
+        }
+        warn(which, "has", "have", "a coloured highlight, or glass that scatters light: POV-Ray takes a mean of the colours. With --channel "
+            + "r, g and b it is exact");
+    }
+
+    private void warnOfGlass() {
+        List<Integer> clear = new ArrayList<>();
+        List<Integer> open = new ArrayList<>();
+        List<Integer> lit = new ArrayList<>();
+        for (int i = 0; i < materials.size(); i++) {
+            Object object = scene.getObject(i);
+            if (materials.get(i).bends()) {
+                clear.add(i);
+                if (!object.isSolid() && object.bounds() != null) {
+                    open.add(i);
+                }
+            }
+            if (materials.get(i).dims() && holdsLight(object)) {
+                lit.add(i);
+            }
+        }
+        warn(open, "is", "are", "glass with no inside for POV-Ray: there a ray enters at the first hit and leaves at the next, from whichever side");
+        warn(lit, "may hold", "may hold", "a light inside: in POV-Ray glass dims only light from outside");
+        warn(touching(clear), "lies", "lie", "in or across other glass, maybe: in POV-Ray a ray then goes from glass to glass, here always to or from air");
+    }
+
+    private boolean holdsLight(Object object) {
+        Bounds box = object.bounds();
+        for (int i = 0; i < scene.getNumberLights(); i++) {
+            if (object.isSolid() && scene.getLight(i) instanceof PointLight light && (box == null || box.contains(light.origin))) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** {@return those whose boxes meet the box of another} */
+    private List<Integer> touching(List<Integer> which) {
+        TreeSet<Integer> found = new TreeSet<>();
+        for (int i : which) {
+            for (int j : which) {
+                if (i < j && meet(scene.getObject(i).bounds(), scene.getObject(j).bounds())) {
+                    found.add(i);
+                    found.add(j);
+                }
+            }
+        }
+        return List.copyOf(found);
+    }
+
+    private static boolean meet(Bounds a, Bounds b) {
+        return a == null || b == null || a.xmin() <= b.xmax() && b.xmin() <= a.xmax() && a.ymin() <= b.ymax() && b.ymin() <= a.ymax()
+            && a.zmin() <= b.zmax() && b.zmin() <= a.zmax();
+    }
+
+    /** Notes a warning about objects; about none of them there is none. */
+    private void warn(List<Integer> which, String verb, String verbs, String what) {
+        if (which.isEmpty()) {
+            return;
+        }
+        StringBuilder line = new StringBuilder(which.size() == 1 ? "object " : "objects ");
+        for (int k = 0; k < Math.min(which.size(), MOST_NAMED); k++) {
+            line.append(k == 0 ? "" : ", ").append(which.get(k) + 1);
+        }
+        line.append(which.size() > MOST_NAMED ? " and " + (which.size() - MOST_NAMED) + " more " : " ");
+        warnings.add(line.append(which.size() == 1 ? verb : verbs).append(' ').append(what).toString());
+    }
+}
