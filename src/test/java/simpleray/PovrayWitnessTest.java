@@ -89,9 +89,10 @@ class PovrayWitnessTest {
                     int our = Picture.level(ours.row(y)[3 * x + band]);
                     int their = theirs[band].getSample(x, y, 0);
                     int shift = 8 * (2 - band);
-                    difference.setRGB(x, y, difference.getRGB(x, y) | our << shift);
-                    difference.setRGB(x + SIZE, y, difference.getRGB(x + SIZE, y) | their << shift);
-                    difference.setRGB(x + 2 * SIZE, y, difference.getRGB(x + 2 * SIZE, y) | Math.min(255, 20 * Math.abs(our - their)) << shift);
+                    int[] shown = {our, their, Math.min(255, 20 * Math.abs(our - their))};
+                    for (int i = 0; i < shown.length; i++) {
+                        difference.setRGB(x + i * SIZE, y, difference.getRGB(x + i * SIZE, y) | shown[i] << shift);
+                    }
                     most = Math.max(most, Math.abs(our - their));
                 }
                 different += most > NEARBY ? 1 : 0;
@@ -100,7 +101,7 @@ class PovrayWitnessTest {
         }
         double same = 1 - (double) different / (SIZE * SIZE);
         Path failure = Path.of(System.getProperty("simpleray.build"), "povray-failures", file.getFileName() + ".png");
-        if (same < SAME_PIXELS || Boolean.getBoolean("povray.keep")) {
+        if (same < SAME_PIXELS) {
             Files.createDirectories(failure.getParent());
             ImageIO.write(difference, "png", failure.toFile());
         }
@@ -132,7 +133,8 @@ class PovrayWitnessTest {
                 "--depth", Integer.toString(depth), "--size", SIZE + "x" + SIZE}, new ByteArrayInputStream(new byte[0]),
                 new ByteArrayOutputStream(), new PrintStream(messages, true, StandardCharsets.UTF_8));
             assertThat(status).as(messages.toString(StandardCharsets.UTF_8)).isZero();
-            assertThat(messages.toString(StandardCharsets.UTF_8)).matches("(?s)(.*, maybe: .*\n)?");
+            assertThat(messages.toString(StandardCharsets.UTF_8).lines().filter(line -> line.contains("POV-Ray")))
+                .allMatch(line -> line.contains(", maybe: "));
             running.add(new ProcessBuilder("povray", "+I" + channel + ".pov", "+O" + channel + ".png", "+W" + SIZE, "+H" + SIZE, "-A",
                 "-D", "-V", "-GA", "+WT1", "+FN8", "File_Gamma=1.0").directory(folder.toFile()).redirectErrorStream(true)
                 .redirectOutput(folder.resolve(channel + ".log").toFile()).start());

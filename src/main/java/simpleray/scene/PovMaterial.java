@@ -76,12 +76,8 @@ final class PovMaterial {
         return isGrey(specular) && (sameShare || diffuse.isBlack());
     }
 
-    /**
-     * Writes the texture, and the interior if there is one.
-     *
-     * @param closed whether it is of a thing that has an inside
-     */
-    String look(boolean closed) {
+    /** {@return the texture, and the interior if there is one} */
+    String look() {
         return text(os -> {
             if (!isClear()) {
                 os.writeString("texture { ");
@@ -90,7 +86,7 @@ final class PovMaterial {
                 return;
             }
             Colour internal = Colour.add(specular, transmission);     // what the mirror ray carries if nothing is refracted
-            boolean dimmed = closed && bends() && !(internal.r == 1 && internal.g == 1 && internal.b == 1);
+            boolean dimmed = bends() && !(internal.r == 1 && internal.g == 1 && internal.b == 1);
             os.writeString("texture { ");
             clear(os, transmission);
             if (dimmed) {

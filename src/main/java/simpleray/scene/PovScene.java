@@ -3,6 +3,7 @@ package simpleray.scene;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
@@ -15,7 +16,8 @@ import simpleray.text.SceneWriter;
  * A scene as POV-Ray 3.7 reads it, for the finished picture. <em>Constant</em>; the scene is referenced, and must not change.
  *
  * <p>Light passes through our glass and is dimmed once for each object, in POV-Ray once for each surface. So what is seen of an object
- * that dims light casts no shadow there, and a twin that nobody sees casts it.
+ * that dims light casts no shadow there, and a twin that nobody sees casts it. Open things of one glass, such as triangles, are
+ * written as one body: for POV-Ray a ray enters at its first hit and leaves at the next.
  */
 public final class PovScene {
     /** The most that POV-Ray lets one ask for: a ray from the eye counts too. */
@@ -65,9 +67,9 @@ public final class PovScene {
     public void write(SceneWriter os) throws IOException {
         int width = camera.width();
         int height = camera.height();
-        os.writeString("// Written by SimpleRay for POV-Ray 3.7 (channels shown: " + shown + "). Render it with:\n// povray +IFILE.pov +OFILE.png +W"
-            + width + " +H" + height + " -A -D +FN8 File_Gamma=1.0\n#version 3.7;\nglobal_settings { assumed_gamma 1 max_trace_level "
-            + (depth + 1) + " adc_bailout 0 ambient_light rgb 1 }\n");
+        os.writeString("// Written by SimpleRay for POV-Ray 3.7 (channels shown: " + shown + "). Render it with:\n"
+            + "// povray +IFILE.pov +OFILE.png +W" + width + " +H" + height + " -A -D +FN8 File_Gamma=1.0\n#version 3.7;\n"
+            + "global_settings { assumed_gamma 1 max_trace_level " + (depth + 1) + " adc_bailout 0 ambient_light rgb 1 }\n");
         Colour background = scene.settings.background == null ? new Colour() : scene.settings.background;
         os.writeString("background { ");
         Pov.colour(os, shown.of(background));
@@ -77,18 +79,37 @@ public final class PovScene {
             write(os, "light", i, scene.getLight(i));
         }
         Map<String, String> names = new HashMap<>();
+        Map<String, List<Integer>> panes = new LinkedHashMap<>();
         for (int i = 0; i < materials.size(); i++) {
             PovMaterial material = materials.get(i);
             Object object = scene.getObject(i);
-            String look = declared(os, names, material.look(object.isSolid() || object.bounds() == null));
+            String look = declared(os, names, material.look());
             if (material.dims()) {                            // the twin first: of things around the eye, the last counts
                 String shade = declared(os, names, material.shade(object.isSolid()));
                 write(os, "object", i, object);
                 os.writeString(" material { " + shade + " } no_image no_reflection }\n");
             }
+            if (isPane(i)) {
+                panes.computeIfAbsent(look, k -> new ArrayList<>()).add(i);
+                continue;
+            }
             write(os, "object", i, object);
             os.writeString(" material { " + look + (material.transmits ? " } no_shadow }\n" : " } }\n"));
         }
+        for (Map.Entry<String, List<Integer>> body : panes.entrySet()) {
+            os.writeString("union {\n");
+            for (int i : body.getValue()) {
+                write(os, "object", i, scene.getObject(i));
+                os.writeString(" }\n");
+            }
+            os.writeString("material { " + body.getKey() + " } no_shadow }\n");
+        }
+    }
+
+    /** {@return whether an object bends rays and is not closed itself: those of one material are taken for one closed body} */
+    private boolean isPane(int i) {
+        Object object = scene.getObject(i);
+        return materials.get(i).bends() && !object.isSolid() && object.bounds() != null;
     }
 
     private void write(SceneWriter os, String what, int i, SceneElement thing) throws IOException {
@@ -100,7 +121,7 @@ public final class PovScene {
                 ((Object) thing).writePov(os);
             }
         } catch (UnsupportedOperationException e) {
-            throw (UnsupportedOperationException) new UnsupportedOperationException(what + ' ' + (i + 1) + ": " + e.getMessage()).initCause(e);
+            throw new UnsupportedOperationException(what + ' ' + (i + 1) + ": " + e.getMessage(), e);
         }
     }
 
@@ -128,8 +149,9 @@ public final class PovScene {
             return 0;
         }
         int common = granted.lastKey();
-        granted.headMap(common).forEach((grants, which) -> warn(which, "grants", "grant", grants + " reflections by shininess, and other "
-            + "materials " + common + ": POV-Ray has one depth for all. With --depth " + granted.firstKey() + " both make the same picture"));
+        granted.headMap(common).forEach((grants, which) -> warn(which, "grants", "grant", grants
+            + " reflections by shininess, and other materials " + common + ": POV-Ray has one depth for all. With --depth "
+            + granted.firstKey() + " both make the same picture"));
         if (common > MOST_DEPTH) {
             warnings.add("POV-Ray follows " + MOST_DEPTH + " reflections at most, and here are " + common);
             return MOST_DEPTH;
@@ -144,8 +166,8 @@ public final class PovScene {
                 which.add(i);
             }
         }
-        warn(which, "has", "have", "a coloured highlight, or glass that scatters light: POV-Ray takes a mean of the colours. With --channel "
-            + "r, g and b it is exact");
+        warn(which, "has", "have", "a coloured highlight, or glass that scatters light: POV-Ray takes a mean of the colours. "
+            + "With --channel r, g and b it is exact");
     }
 
     private void warnOfGlass() {
@@ -153,20 +175,20 @@ public final class PovScene {
         List<Integer> open = new ArrayList<>();
         List<Integer> lit = new ArrayList<>();
         for (int i = 0; i < materials.size(); i++) {
-            Object object = scene.getObject(i);
-            if (materials.get(i).bends()) {
+            if (isPane(i)) {
+                open.add(i);
+            } else if (materials.get(i).bends()) {
                 clear.add(i);
-                if (!object.isSolid() && object.bounds() != null) {
-                    open.add(i);
-                }
             }
-            if (materials.get(i).dims() && holdsLight(object)) {
+            if (materials.get(i).dims() && holdsLight(scene.getObject(i))) {
                 lit.add(i);
             }
         }
-        warn(open, "is", "are", "glass with no inside for POV-Ray: there a ray enters at the first hit and leaves at the next, from whichever side");
+        warn(open, "is", "are", "open glass, maybe: those of one material are taken for one closed body, for in POV-Ray a ray "
+            + "enters at the first hit and leaves at the next, from whichever side");
         warn(lit, "may hold", "may hold", "a light inside: in POV-Ray glass dims only light from outside");
-        warn(touching(clear), "lies", "lie", "in or across other glass, maybe: in POV-Ray a ray then goes from glass to glass, here always to or from air");
+        warn(touching(clear), "lies", "lie", "in or across other glass, maybe: in POV-Ray a ray then goes from glass to glass, "
+            + "here always to or from air");
     }
 
     private boolean holdsLight(Object object) {

@@ -95,7 +95,8 @@ class PovSceneTest {
 
     @Test
     void coloursAreKeptWhereTheyAreOne() throws IOException {
-        Scene scene = Scenes.of(new Sphere(material(new Colour(0.25, 0.5, 0.75), new Colour(0.5, 0.25, 0), grey(0), 0), new Point(), 1));
+        Material matt = material(new Colour(0.25, 0.5, 0.75), new Colour(0.5, 0.25, 0), grey(0), 0);
+        Scene scene = Scenes.of(new Sphere(matt, new Point(), 1));
         scene.ambient = new Colour(1, 1, 0);
         assertThat(text(scene, PovChannel.ALL)).contains("pigment { rgb <1.0,0.5,0.0> } finish { ambient rgb <0.25,1.0,0.0> diffuse 0.5 }");
         assertThat(pov(scene, PovChannel.ALL).warnings()).isEmpty();
@@ -107,8 +108,9 @@ class PovSceneTest {
         SceneWriter os = new SceneWriter(bytes);
         new PerspectiveCamera(new PerspectiveCamera.Pose(1, 2, 3, 1, 2, -3, 90), 2, 1).writePov(os);
         os.flush();
-        assertThat(bytes.toString(StandardCharsets.UTF_8).replaceAll("1\\.9{9}\\d*", "2.0").replaceAll("0\\.9{9}\\d*", "1.0"))
-            .matches("camera \\{ perspective location <1.0,2.0,3.0> direction <0.0,0.0,-1.0> right <(4.0|3.9{9}\\d*),0.0,0.0> up <0.0,2.0,0.0> }\n");
+        String rounded = bytes.toString(StandardCharsets.UTF_8).replaceAll("1\\.9{9}\\d*", "2.0").replaceAll("3\\.9{9}\\d*", "4.0");
+        assertThat(rounded).matches(
+            "camera \\{ perspective location <1.0,2.0,3.0> direction <0.0,0.0,-1.0> right <4.0,0.0,0.0> up <0.0,2.0,0.0> }\n");
     }
 
     @Test
@@ -124,8 +126,8 @@ class PovSceneTest {
     void depthsThatDifferAreToldOf() {
         Scene scene = Scenes.of(new Sphere(material(grey(0), grey(0), grey(1), 3), new Point(), 1),
             new Sphere(material(grey(0), grey(0), grey(1), 4), new Point(5, 0, 0), 1));
-        assertThat(pov(scene, PovChannel.R).warnings()).containsExactly("object 1 grants 3 reflections by shininess, and other materials 4: "
-            + "POV-Ray has one depth for all. With --depth 3 both make the same picture");
+        assertThat(pov(scene, PovChannel.R).warnings()).containsExactly("object 1 grants 3 reflections by shininess, "
+            + "and other materials 4: POV-Ray has one depth for all. With --depth 3 both make the same picture");
     }
 
     @Test
@@ -157,7 +159,7 @@ class PovSceneTest {
     }
 
     /** Something that POV-Ray has no form of. */
-    private static final class Blob extends Object {
+    private static class Blob extends Object {
         private Blob(Material material) {
             super(material);
         }
@@ -197,10 +199,34 @@ class PovSceneTest {
             .hasMessage("object 2: no form for POV-Ray is known of a Blob");
     }
 
+    /** Half the diagonal of a square. */
+    private static final class Pane extends Blob {
+        private Pane(Material material) {
+            super(material);
+        }
+
+        @Override
+        public void writePov(SceneWriter os) throws IOException {
+            os.writeString("triangle { <0,0,0>, <1,0,0>, <0,1,0>");
+        }
+    }
+
+    @Test
+    void panesOfOneGlassAreOneBody() throws IOException {
+        Scene scene = Scenes.of(new Pane(glass(0, 1, 1.5)), new Pane(glass(0, 1, 1.5)), new Pane(glass(0, 1, 1)));
+        assertThat(text(scene, PovChannel.R)).endsWith("""
+            triangle { <0,0,0>, <1,0,0>, <0,1,0> material { M2 } no_shadow }
+            union {
+            triangle { <0,0,0>, <1,0,0>, <0,1,0> }
+            triangle { <0,0,0>, <1,0,0>, <0,1,0> }
+            material { M1 } no_shadow }
+            """);
+    }
+
     @Test
     void openGlassThatBendsIsToldOf() {
         assertThat(pov(Scenes.of(new Blob(glass(0, 1, 1))), PovChannel.R).warnings()).isEmpty();
         assertThat(pov(Scenes.of(new Blob(glass(0, 1, 1.5))), PovChannel.R).warnings()).singleElement().asString()
-            .startsWith("object 1 is glass with no inside for POV-Ray");
+            .startsWith("object 1 is open glass, maybe: ");
     }
 }
