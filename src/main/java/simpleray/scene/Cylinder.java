@@ -135,6 +135,21 @@ public final class Cylinder extends Object {
     }
 
     @Override
+    public void writePov(SceneWriter os) throws IOException {
+        os.writeString("cylinder { ");
+        Pov.vector(os, start.x, start.y, start.z);
+        os.writeString(", ");
+        Pov.vector(os, end.x, end.y, end.z);
+        os.writeString(", ");
+        os.writeDouble(radius);
+    }
+
+    @Override
+    public boolean isSolid() {
+        return true;
+    }
+
+    @Override
     public void print(SceneWriter os) throws IOException {
         os.writeString("Cylinder with ends: ");
         start.print(os);

@@ -144,6 +144,35 @@ public final class Mesh extends Object {
             y + offset.y + share * (Math.abs(y) + Math.abs(offset.y)), z + offset.z + share * (Math.abs(z) + Math.abs(offset.z)));
     }
 
+    /** {@inheritDoc} POV-Ray's normal of a triangle points the other way, and so its vertices run the other way round. */
+    @Override
+    public void writePov(SceneWriter os) throws IOException {
+        Triangles all = tree.triangles;
+        os.writeString("mesh {\n");
+        for (int i = 0; i < size(); i++) {
+            boolean smooth = all.cornerNormals() != null && all.cornerNormals()[3 * i] >= 0;
+            os.writeString(smooth ? "smooth_triangle { " : "triangle { ");
+            for (int corner : new int[] {0, 2, 1}) {
+                os.writeString(corner == 0 ? "" : ", ");
+                int v = 3 * all.corners()[3 * i + corner];
+                Pov.vector(os, all.vertices()[v] * scale + offset.x, all.vertices()[v + 1] * scale + offset.y,
+                    all.vertices()[v + 2] * scale + offset.z);
+                if (smooth) {
+                    int n = 3 * all.cornerNormals()[3 * i + corner];
+                    os.writeString(", ");
+                    Pov.vector(os, all.normals()[n], all.normals()[n + 1], all.normals()[n + 2]);
+                }
+            }
+            os.writeString(" }\n");
+        }
+        os.writeString("inside_vector <0.1, 0.2, 1>");
+    }
+
+    @Override
+    public boolean isSolid() {
+        return tree.triangles.isClosed();
+    }
+
     @Override
     public void print(SceneWriter os) throws IOException {
         os.writeString("Mesh of \"" + file + "\" with " + size() + " triangles, moved by ");

@@ -1,5 +1,8 @@
 package simpleray.scene;
 
+import java.util.HashSet;
+import java.util.Set;
+
 /**
  * Triangles with shared vertices, in flat arrays. <em>Constant</em>: the arrays are kept, and must not change.
  *
@@ -18,6 +21,15 @@ record Triangles(double[] vertices, int[] corners, double[] normals, int[] corne
     /** {@return how many there are} */
     int count() {
         return corners.length / 3;
+    }
+
+    /** {@return whether each edge of a triangle is another's in the other direction, so that they have an inside} */
+    boolean isClosed() {
+        Set<Long> edges = new HashSet<>();
+        for (int i = 0; i < corners.length; i++) {
+            edges.add((long) corners[i] << Integer.SIZE | corners[i - i % 3 + (i + 1) % 3]);
+        }
+        return edges.stream().allMatch(edge -> edges.contains(edge << Integer.SIZE | edge >>> Integer.SIZE));
     }
 
     /** Finds the vector (B - A) × (C - A) of a triangle, outward, twice its area long, into out; returns whether it is not zero. */
