@@ -1,18 +1,20 @@
 package simpleray.scene;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import simpleray.math.Colour;
 import simpleray.math.Vector;
 
 /** All that a scene is made of, in one list: two scenes are equal bit for bit if their lists are, for boxed doubles compare bits. */
-final class SceneBits {
+public final class SceneBits {
     private final List<java.lang.Object> bits = new ArrayList<>();
 
     private SceneBits() {
     }
 
-    static List<java.lang.Object> of(Scene scene) {
+    /** {@return all that is in a scene, settings too} */
+    public static List<java.lang.Object> of(Scene scene) {
         SceneBits all = new SceneBits();
         all.bits.add(scene.getNumberObjects());
         for (int i = 0; i < scene.getNumberObjects(); i++) {
@@ -23,6 +25,13 @@ final class SceneBits {
         for (int i = 0; i < scene.getNumberLights(); i++) {
             all.add(scene.getLight(i));
         }
+        all.add(scene.settings);
+        return all.bits;
+    }
+
+    static List<java.lang.Object> of(SceneSettings settings) {
+        SceneBits all = new SceneBits();
+        all.add(settings);
         return all.bits;
     }
 
@@ -83,6 +92,18 @@ final class SceneBits {
         add(material.diffuse);
         add(material.specular);
         bits.add(material.shininess);
+        add(material.transmission);
+        bits.add(material.index);
+    }
+
+    /** Records of doubles compare bits, as boxed doubles do. */
+    private void add(SceneSettings settings) {
+        if (settings.background == null) {
+            bits.add(null);
+        } else {
+            add(settings.background);
+        }
+        bits.addAll(Arrays.asList(settings.window, settings.cop, settings.camera, settings.resolution, settings.depth, settings.samples));
     }
 
     private void add(Colour c) {

@@ -42,7 +42,7 @@ class SceneRoundTripTest {
     @Test
     void anySceneReadsBackBitForBit() throws IOException {
         for (int i = 0; i < SCENES; i++) {
-            Scene before = random(new Random(SEED + i));
+            Scene before = RandomScenes.scene(new Random(SEED + i));
             Scene after = new Scene();
             try (SceneReader is = reader(written(before::write))) {
                 after.read(is);
@@ -53,74 +53,49 @@ class SceneRoundTripTest {
     }
 
     @Test
+    void transmissionAndSettingsAreWrittenWhereThereAreAny() {
+        Sphere glass = new Sphere();
+        glass.surfaceMaterial.transmission = new Colour(0.5, 0.25, 1);
+        glass.surfaceMaterial.index = 1.5;
+        Scene scene = Scenes.of(glass);
+        scene.settings.background = new Colour(0.1, 0.2, 0.4);
+        scene.settings.window = new SceneSettings.Window(-1, 1, -0.5, 0.5);
+        scene.settings.cop = 3.0;
+        scene.settings.resolution = new SceneSettings.Resolution(640, 480);
+        scene.settings.depth = 5;
+        scene.settings.samples = 4;
+
+        assertThat(written(scene::write)).isEqualTo("""
+            # number of objects
+            1
+            0  0.0 0.0 0.0 1.0  1.0 1.0 1.0  1.0 1.0 1.0  0.0 0.0 0.0  2.0  transmit 0.5 0.25 1.0  1.5
+            # ambient light
+            0.0 0.0 0.0
+            # number of lights
+            0
+            background 0.1 0.2 0.4
+            window -1.0 1.0 -0.5 0.5
+            cop 3.0
+            resolution 640 480
+            depth 5
+            samples 4
+            """);
+    }
+
+    @Test
+    void aCameraIsWrittenAsEyeLookAtFieldOfView() {
+        Scene scene = new Scene();
+        scene.settings.camera = new PerspectiveCamera.Pose(3, 2, 5, 0, 0.5, 0, 40);
+
+        assertThat(written(scene::write)).endsWith("\n0\ncamera 3.0 2.0 5.0 0.0 0.5 0.0 40.0\n");
+    }
+
+    @Test
     void anObjectOfAClassWithoutCodeCannotBeWritten() {
         Scene scene = Scenes.of(new Nothing());
 
         assertThatThrownBy(() -> written(scene::write)).isInstanceOf(IllegalArgumentException.class)
             .hasMessage("a scene file has no code for " + Nothing.class.getName());
-    }
-
-    private static Scene random(Random random) {
-        Object[] objects = new Object[random.nextInt(5)];
-        for (int i = 0; i < objects.length; i++) {
-            objects[i] = object(random);
-        }
-        Scene scene = Scenes.of(objects);
-        scene.ambient = colour(random);
-        Light[] lights = new Light[random.nextInt(4)];
-        for (int i = 0; i < lights.length; i++) {
-            lights[i] = random.nextBoolean() ? new DirectionalLight(vector(random))
-                : new PointLight(point(random));
-            lights[i].intensity = colour(random);
-        }
-        Scenes.light(scene, lights);
-        return scene;
-    }
-
-    private static Object object(Random random) {
-        Material material = material(random);
-        return switch (random.nextInt(4)) {
-            case 0 -> new Plane(material, vector(random), number(random));
-            case 1 -> new Triangle(material, near(random), near(random), near(random));
-            case 2 -> new Cylinder(material, point(random), near(random), above(random));
-            default -> new Sphere(material, point(random), above(random));
-        };
-    }
-
-    private static Material material(Random random) {
-        return Scenes.material(colour(random), colour(random), colour(random), Math.abs(number(random)));
-    }
-
-    private static Colour colour(Random random) {
-        return new Colour(Math.abs(number(random)), Math.abs(number(random)), Math.abs(number(random)));
-    }
-
-    private static Vector vector(Random random) {
-        return new Vector(number(random), above(random), number(random));
-    }
-
-    private static Point point(Random random) {
-        return new Point(number(random), number(random), number(random));
-    }
-
-    /** {@return a point near the origin: three of them are hardly ever on one line} */
-    private static Point near(Random random) {
-        return new Point(random.nextGaussian(), random.nextGaussian(), random.nextGaussian());
-    }
-
-    private static double above(Random random) {
-        return Math.max(Double.MIN_VALUE, Math.abs(number(random)));
-    }
-
-    /** {@return a number: as people write them, or any finite pattern of bits, or a zero of either sign} */
-    private static double number(Random random) {
-        double any = Double.longBitsToDouble(random.nextLong());
-        return switch (random.nextInt(4)) {
-            case 0 -> random.nextInt(2001) / 100.0 - 10;
-            case 1 -> random.nextGaussian();
-            case 2 -> random.nextBoolean() ? 0.0 : -0.0;
-            default -> Double.isFinite(any) ? any : Double.MAX_VALUE;
-        };
     }
 
     /** Something that a scene file cannot hold. */

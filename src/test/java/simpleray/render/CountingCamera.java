@@ -1,0 +1,47 @@
+package simpleray.render;
+
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.atomic.AtomicLong;
+import simpleray.math.Ray;
+import simpleray.scene.Camera;
+
+/** A camera that counts the primary rays it is asked for, and remembers where the first few of them went through the picture. */
+final class CountingCamera implements Camera {
+    private static final int MOST_PLACES = 1000;
+
+    private final Camera camera;
+    private final AtomicLong rays = new AtomicLong();
+    private final List<String> places = new CopyOnWriteArrayList<>();
+
+    CountingCamera(Camera camera) {
+        this.camera = camera;
+    }
+
+    long rays() {
+        return rays.get();
+    }
+
+    /** {@return the first places asked for, in order, as "px py"} */
+    List<String> places() {
+        return places;
+    }
+
+    @Override
+    public int width() {
+        return camera.width();
+    }
+
+    @Override
+    public int height() {
+        return camera.height();
+    }
+
+    @Override
+    public Ray through(double px, double py) {
+        if (rays.incrementAndGet() <= MOST_PLACES) {
+            places.add(px + " " + py);
+        }
+        return camera.through(px, py);
+    }
+}

@@ -1,0 +1,106 @@
+package simpleray.scene;
+
+import java.util.Random;
+import simpleray.math.Colour;
+import simpleray.math.Point;
+import simpleray.math.Vector;
+
+/** Scenes of all kinds of objects, lights, materials and settings, with numbers as people write them and as only machines do. */
+final class RandomScenes {
+    private RandomScenes() {
+    }
+
+    static Scene scene(Random random) {
+        Object[] objects = new Object[random.nextInt(5)];
+        for (int i = 0; i < objects.length; i++) {
+            objects[i] = object(random);
+        }
+        Scene scene = Scenes.of(objects);
+        scene.ambient = colour(random);
+        Light[] lights = new Light[random.nextInt(4)];
+        for (int i = 0; i < lights.length; i++) {
+            lights[i] = random.nextBoolean() ? new DirectionalLight(vector(random))
+                : new PointLight(point(random));
+            lights[i].intensity = colour(random);
+        }
+        Scenes.light(scene, lights);
+        scene.settings = settings(random);
+        return scene;
+    }
+
+    private static Object object(Random random) {
+        Material material = material(random);
+        return switch (random.nextInt(4)) {
+            case 0 -> new Plane(material, vector(random), number(random));
+            case 1 -> new Triangle(material, near(random), near(random), near(random));
+            case 2 -> new Cylinder(material, point(random), near(random), above(random));
+            default -> new Sphere(material, point(random), above(random));
+        };
+    }
+
+    private static Material material(Random random) {
+        Material material = Scenes.material(colour(random), colour(random), colour(random), Math.abs(number(random)));
+        if (random.nextBoolean()) {
+            material.transmission = colour(random);
+        }
+        if (random.nextBoolean()) {
+            material.index = Math.max(1, Math.abs(number(random)));
+        }
+        return material;
+    }
+
+    private static SceneSettings settings(Random random) {
+        SceneSettings settings = new SceneSettings();
+        settings.background = maybe(random, colour(random));
+        if (random.nextBoolean()) {
+            settings.camera = new PerspectiveCamera.Pose(number(random), 1, number(random), number(random), 2, number(random),
+                Math.nextUp(random.nextDouble() * 179));
+        } else {
+            settings.cop = maybe(random, above(random));
+            double xmin = random.nextGaussian();
+            double ymin = -above(random);
+            settings.window = maybe(random, new SceneSettings.Window(xmin, Math.nextUp(xmin), ymin, above(random)));
+        }
+        settings.resolution = maybe(random, new SceneSettings.Resolution(1 + random.nextInt(SceneSettings.MOST_RESOLUTION),
+            1 + random.nextInt(SceneSettings.MOST_RESOLUTION)));
+        settings.depth = maybe(random, random.nextInt(SceneSettings.MOST_DEPTH + 1));
+        settings.samples = maybe(random, 1 + random.nextInt(SceneSettings.MOST_SAMPLES));
+        return settings;
+    }
+
+    private static <T> T maybe(Random random, T thing) {
+        return random.nextBoolean() ? thing : null;
+    }
+
+    private static Colour colour(Random random) {
+        return new Colour(Math.abs(number(random)), Math.abs(number(random)), Math.abs(number(random)));
+    }
+
+    private static Vector vector(Random random) {
+        return new Vector(number(random), above(random), number(random));
+    }
+
+    private static Point point(Random random) {
+        return new Point(number(random), number(random), number(random));
+    }
+
+    /** {@return a point near the origin: three of them are hardly ever on one line} */
+    private static Point near(Random random) {
+        return new Point(random.nextGaussian(), random.nextGaussian(), random.nextGaussian());
+    }
+
+    private static double above(Random random) {
+        return Math.max(Double.MIN_VALUE, Math.abs(number(random)));
+    }
+
+    /** {@return a number: as people write them, or any finite pattern of bits, or a zero of either sign} */
+    private static double number(Random random) {
+        double any = Double.longBitsToDouble(random.nextLong());
+        return switch (random.nextInt(4)) {
+            case 0 -> random.nextInt(2001) / 100.0 - 10;
+            case 1 -> random.nextGaussian();
+            case 2 -> random.nextBoolean() ? 0.0 : -0.0;
+            default -> Double.isFinite(any) ? any : Double.MAX_VALUE;
+        };
+    }
+}
