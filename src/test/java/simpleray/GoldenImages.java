@@ -4,8 +4,10 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
-import simpleray.render.RenderSettings;
-import simpleray.scene.SimpleCamera;
+import simpleray.render.RenderRequest;
+import simpleray.render.Stage;
+import simpleray.scene.SceneFile;
+import simpleray.scene.SceneSettings;
 
 /** Writes the golden images anew: a small picture of each scene in scenes/. Why and when: docs/golden-images.md. */
 public final class GoldenImages {
@@ -49,9 +51,12 @@ public final class GoldenImages {
         return folder().resolve(name + ".png");
     }
 
-    /** {@return the PNG file of a scene as it is now, small; the thesis's in its own size} */
+    /** {@return the PNG file of a scene as it is now, by its own settings but small; the thesis's in its own size} */
     static byte[] png(String name) throws IOException {
-        SimpleCamera camera = name.startsWith("thesis") ? new SimpleCamera() : new SimpleCamera(SIDE, SIDE);
-        return Rendered.png(Project.scene(name), camera, new RenderSettings());
+        SceneSettings small = new SceneSettings();
+        if (!name.startsWith("thesis")) {
+            small.resolution = new SceneSettings.Resolution(SIDE, SIDE);
+        }
+        return Rendered.png(new RenderRequest(small, Stage.FINAL, false, 2).renderer(SceneFile.read(Project.scene(name)).scene()));
     }
 }

@@ -23,8 +23,13 @@ public final class Rendered {
 
     /** {@return the PNG file of a scene} */
     public static byte[] png(Scene scene, SimpleCamera camera, RenderSettings settings) throws IOException {
+        return png(new Renderer(scene, camera, settings));
+    }
+
+    /** {@return the PNG file that a renderer makes} */
+    public static byte[] png(Renderer renderer) throws IOException {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-        PngWriter.write(new Renderer(scene, camera, settings).render(RenderListener.NONE), bytes);
+        PngWriter.write(renderer.render(RenderListener.NONE), bytes);
         return bytes.toByteArray();
     }
 

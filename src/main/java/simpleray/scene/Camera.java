@@ -26,6 +26,9 @@ public interface Camera {
      *
      * @param os where to
      * @throws IOException if it cannot be written
+     * @throws UnsupportedOperationException if the camera has no such form
      */
-    void writePov(SceneWriter os) throws IOException;
+    default void writePov(SceneWriter os) throws IOException {
+        throw new UnsupportedOperationException("no form for POV-Ray is known of a " + getClass().getSimpleName());
+    }
 }

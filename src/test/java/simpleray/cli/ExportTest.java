@@ -14,7 +14,7 @@ import org.junit.jupiter.api.io.TempDir;
 
 /** {@code simpleray export}. */
 class ExportTest {
-    private static final String MIRROR = "1  1 0 0 1 -2  1 1 1  0 0 0  0.5 0.25 0.75  5   0.5 0.5 0.5  0  depth 3\n";
+    private static final String MIRROR = "1  1 0 0 1 -2  1 1 1  0 0 0  0.5 0.25 0.75  5   0.5 0.5 0.5  0\ndepth 3\n";
 
     @TempDir
     Path folder;

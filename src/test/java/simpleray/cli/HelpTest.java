@@ -30,7 +30,7 @@ class HelpTest {
 
         assertThat(help).startsWith("SimpleRay: a text file of spheres, planes and lights becomes a picture.\n\n"
             + "Usage: simpleray SCENE [OPTIONS]\n       simpleray COMMAND ...\n");
-        for (String command : List.of("view", "render", "print", "check", "generate-completion", "help")) {
+        for (String command : List.of("view", "render", "figures", "print", "check", "convert", "export", "generate-completion", "help")) {
             assertThat(help).contains("\n  " + command + " ");
         }
         List<String> codes = new ArrayList<>();
@@ -44,7 +44,7 @@ class HelpTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"view", "render", "print", "check", "generate-completion"})
+    @ValueSource(strings = {"view", "render", "figures", "print", "check", "convert", "export", "generate-completion"})
     void aCommandHasAHelpOfItsOwn(String command) {
         assertThat(text(command, "--help")).startsWith("Usage: simpleray " + command + " ");
         assertThat(text("help", command)).isEqualTo(text(command, "--help"));
@@ -52,7 +52,7 @@ class HelpTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"view, 5", "render, 9"})
+    @CsvSource({"view, 8", "render, 12"})
     void theHelpTellsEveryOptionOfThePage(String command, int most) throws IOException {
         // README's tables of options: the first is for view and render, the second for render alone
         Matcher options = Pattern.compile("^\\| `(?:-\\w, )?(-[-\\w]+)[^`]*` \\|", Pattern.MULTILINE)
@@ -71,7 +71,7 @@ class HelpTest {
 
     @Test
     void theHelpFitsATerminal() {
-        for (String command : List.of("view", "render", "print", "check", "convert", "figures", "generate-completion")) {
+        for (String command : List.of("view", "render", "print", "check", "convert", "figures", "export", "generate-completion")) {
             assertThat(text("help", command).lines()).allMatch(line -> line.length() <= TERMINAL);
         }
         assertThat(text("--help").lines()).allMatch(line -> line.length() <= TERMINAL);
