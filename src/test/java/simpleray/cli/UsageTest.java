@@ -34,6 +34,22 @@ class UsageTest {
         "--window 1,2,3 | Invalid value for option '--window': expected four numbers such as -2,2,-2,2, found '1,2,3'",
         "--window 1,2,3,x | Invalid value for option '--window': expected four numbers such as -2,2,-2,2, found '1,2,3,x'",
         "--window 2,-2,-2,2 | the window must have xmin < xmax and ymin < ymax, and is 2.0,-2.0,-2.0,2.0",
+        "--samples 0 | --samples must be 1 to 16 or adaptive, and is '0'",
+        "--samples 17 | --samples must be 1 to 16 or adaptive, and is '17'",
+        "--samples 2.5 | --samples must be 1 to 16 or adaptive, and is '2.5'",
+        "--samples many | --samples must be 1 to 16 or adaptive, and is 'many'",
+        "--camera 1,2,3 | Invalid value for option '--camera': expected seven numbers such as 3,2,5,0,0,0,40, found '1,2,3'",
+        "--camera 1,2,3,0,0,NaN,40 | Invalid value for option '--camera': "
+            + "expected seven numbers such as 3,2,5,0,0,0,40, found '1,2,3,0,0,NaN,40'",
+        "--camera 1,2,3,0,0,0,180 | Invalid value for option '--camera': "
+            + "expected a field of view above 0 and below 180 degrees, found '1,2,3,0,0,0,180'",
+        "--camera 1,2,3,1,2,3,40 | Invalid value for option '--camera': "
+            + "expected a look-at point other than the eye, found '1,2,3,1,2,3,40'",
+        "--camera 1,2,3,0,0,0,40 --cop 2 | --camera takes the place of --cop and --window: give one or the other",
+        "--window -1,1,-1,1 --camera 1,2,3,0,0,0,40 | --camera takes the place of --cop and --window: give one or the other",
+        "--background 1,1 | Invalid value for option '--background': expected three numbers such as 0.1,0.2,0.4, found '1,1'",
+        "--background 1,x,1 | Invalid value for option '--background': expected three numbers such as 0.1,0.2,0.4, found '1,x,1'",
+        "--background 1,-1,1 | Invalid value for option '--background': expected numbers of 0 or more, found '1,-1,1'",
         "--threads 0 | --threads must be 1 to 1024, and is 0",
         "--threads 1025 | --threads must be 1 to 1024, and is 1025",
         "--progress much | Invalid value for option '--progress': expected one of [auto, bar, plain, none], found 'much'",
@@ -55,6 +71,8 @@ class UsageTest {
         assertUsage("render", "Missing required option: '--output=OUT.png'", "render", "a.scene");
         assertUsage("print", "Missing required parameter: 'SCENE'", "print");
         assertUsage("check", "Missing required parameter: 'SCENE'", "check");
+        assertUsage("convert", "Missing required parameters: 'IN', 'OUT'", "convert");
+        assertUsage("convert", "Missing required parameter: 'OUT'", "convert", "a.scene");
     }
 
     @Test

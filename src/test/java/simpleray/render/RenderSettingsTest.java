@@ -18,7 +18,7 @@ class RenderSettingsTest {
 
     @Test
     void anotherStageLeavesTheRestAsItIs() {
-        assertThat(new RenderSettings(Stage.FINAL, 3, 1, 5).with(Stage.DIFFUSE)).isEqualTo(new RenderSettings(Stage.DIFFUSE, 3, 1, 5));
+        assertThat(new RenderSettings(Stage.FINAL, 3, 7, 5).with(Stage.DIFFUSE)).isEqualTo(new RenderSettings(Stage.DIFFUSE, 3, 7, 5));
     }
 
     @ParameterizedTest
@@ -28,6 +28,15 @@ class RenderSettingsTest {
         assertThat(new RenderSettings(Stage.FINAL, 1000, 1, 1).depth()).isEqualTo(1000);
         assertThatThrownBy(() -> new RenderSettings(Stage.FINAL, depth, 1, 1)).isInstanceOf(IllegalArgumentException.class)
             .hasMessage("the depth must be 0 to 1000, and is " + depth);
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {-1, 17, Integer.MAX_VALUE})
+    void samplesAreOneToSixteenOrAdaptive(int samples) {
+        assertThat(new RenderSettings(Stage.FINAL, 10, 16, 1).samples()).isEqualTo(16);
+        assertThat(new RenderSettings(Stage.FINAL, 10, RenderSettings.ADAPTIVE, 1).samples()).isZero();
+        assertThatThrownBy(() -> new RenderSettings(Stage.FINAL, 10, samples, 1)).isInstanceOf(IllegalArgumentException.class)
+            .hasMessage("the samples must be 1 to 16, and are " + samples);
     }
 
     @ParameterizedTest
