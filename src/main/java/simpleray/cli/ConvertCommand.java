@@ -1,9 +1,12 @@
 package simpleray.cli;
 
+import java.io.File;
+import java.nio.file.Path;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.ParentCommand;
+import simpleray.scene.Mesh;
 import simpleray.scene.Scene;
 
 /** Rewrites a scene in canonical form. */
@@ -23,7 +26,16 @@ final class ConvertCommand implements Callable<Integer> {
     @Override
     public Integer call() throws Failure {
         Scene scene = SceneArgument.read(in, main.in(), main.err()).scene();
+        for (int i = 0; i < scene.getNumberObjects(); i++) {
+            if (scene.getObject(i) instanceof Mesh mesh) {    // its file's name is relative to the scene's folder, which may be another
+                mesh.file = folder(out).relativize(folder(in).resolve(mesh.file)).toString().replace(File.separatorChar, '/');
+            }
+        }
         TextOutput.write(main, out, scene::write);
         return ExitCode.DONE;
+    }
+
+    private static Path folder(String scene) {
+        return (scene.equals(SceneArgument.STREAM) ? Path.of("") : Path.of(scene).resolveSibling("")).toAbsolutePath().normalize();
     }
 }

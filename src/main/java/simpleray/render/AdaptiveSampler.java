@@ -11,7 +11,7 @@ import simpleray.math.Colour;
 final class AdaptiveSampler implements Sampler {
     private static final int SIDE = 4;
     /** A difference of a component that two neighbours may have without being taken for an edge. */
-    private static final double SAME = 16.0 / 255;
+    private static final double SAME = 24.0 / 255;
 
     private final Tracer tracer;
     private final int width;

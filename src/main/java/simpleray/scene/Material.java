@@ -6,7 +6,10 @@ import simpleray.math.Colour;
 import simpleray.text.SceneReader;
 import simpleray.text.SceneWriter;
 
-/** What a surface does with light: its ambient, diffuse and specular colour and its shininess (thesis, chapters 4 and 5). */
+/**
+ * What a surface does with light: its ambient, diffuse and specular colour and its shininess (thesis, chapters 4 and 5), and how much
+ * goes through it (Whitted 1980).
+ */
 public final class Material {
     private static final Set<String> TRANSMIT = Set.of("transmit");
 
@@ -117,7 +120,12 @@ public final class Material {
 
     /** {@return whether a file says anything of transmission} */
     private boolean transmits() {
-        return !transmission.isBlack() || index != 1;
+        return index != 1 || isSaid(transmission.r) || isSaid(transmission.g) || isSaid(transmission.b);
+    }
+
+    /** {@return whether a number is other than 0.0, to the bit: -0.0 is} */
+    private static boolean isSaid(double d) {
+        return Double.doubleToRawLongBits(d) != 0;
     }
 
     private static void readColour(SceneReader is, String name, Colour colour) throws IOException {

@@ -28,7 +28,8 @@ public final class PerspectiveCamera implements Camera {
         this.width = width;
         this.height = height;
         eye = new Point(pose.ex(), pose.ey(), pose.ez());
-        forward = Vector.subtract(new Point(pose.lx(), pose.ly(), pose.lz()), eye);
+        // halves, lest a difference overflow
+        forward = new Vector(pose.lx() / 2 - pose.ex() / 2, pose.ly() / 2 - pose.ey() / 2, pose.lz() / 2 - pose.ez() / 2);
         forward.normalise();
         boolean alongY = forward.x == 0 && forward.z == 0;
         right = Vector.cross(forward, alongY ? new Vector(0, 0, -1) : new Vector(0, 1, 0));

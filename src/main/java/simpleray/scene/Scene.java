@@ -107,8 +107,8 @@ public final class Scene {
      * Finds the colour that a ray sees. Any thread may call.
      *
      * @param ray the ray, of unit direction
-     * @param colour gets the colour, linear and not clamped; black if nothing is hit
-     * @param depth how many reflections may follow, 0 or more
+     * @param colour gets the colour, linear and not clamped; the background if nothing is hit
+     * @param depth how many reflections and refractions may follow, 0 or more
      * @return whether an object is hit
      */
     public boolean intersect(Ray ray, Colour colour, int depth) {
@@ -119,8 +119,8 @@ public final class Scene {
      * Finds parts of the colour that a ray sees. Any thread may call.
      *
      * @param ray the ray, of unit direction
-     * @param colour gets the colour, linear and not clamped; black if nothing is hit
-     * @param depth how many reflections may follow, 0 or more
+     * @param colour gets the colour, linear and not clamped; the background if nothing is hit
+     * @param depth how many reflections and refractions may follow, 0 or more
      * @param terms which parts are wanted
      * @return whether an object is hit
      */

@@ -138,16 +138,17 @@ public final class SceneSettings {
             }
             case "camera" -> camera = readCamera(is);
             case "resolution" -> resolution = new Resolution(
-                is.readInt("width", 1, MOST_RESOLUTION), is.readInt("height", 1, MOST_RESOLUTION));
-            case "depth" -> depth = is.readInt("number", 0, MOST_DEPTH);
-            default -> samples = is.readInt("number", 1, MOST_SAMPLES);
+                is.readInt("width from 1 to " + MOST_RESOLUTION, 1, MOST_RESOLUTION),
+                is.readInt("height from 1 to " + MOST_RESOLUTION, 1, MOST_RESOLUTION));
+            case "depth" -> depth = is.readInt("number from 0 to " + MOST_DEPTH, 0, MOST_DEPTH);
+            default -> samples = is.readInt("number from 1 to " + MOST_SAMPLES, 1, MOST_SAMPLES);
         }
     }
 
     private static Window readWindow(SceneReader is) throws IOException {
         is.group();
         Window w = new Window(is.readDouble("xmin"), is.readDouble("xmax"), is.readDouble("ymin"), is.readDouble("ymax"));
-        if (w.xmin >= w.xmax || w.ymin >= w.ymax) {
+        if (w.xmin >= w.xmax || w.ymin >= w.ymax || Double.isInfinite(w.xmax - w.xmin) || Double.isInfinite(w.ymax - w.ymin)) {
             is.rejectGroup("xmin below its xmax and ymin below its ymax");
         }
         return w;

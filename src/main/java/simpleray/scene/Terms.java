@@ -7,7 +7,7 @@ package simpleray.scene;
  * @param diffuse Kd·LC·(N·L), of each light
  * @param specular Ks·LC·(N·H)^shininess, of each light
  * @param shadows whether an object in the way stops a light
- * @param reflections whether mirror rays are followed
+ * @param reflections whether mirror rays and refracted rays are followed
  */
 public record Terms(boolean ambient, boolean diffuse, boolean specular, boolean shadows, boolean reflections) {
     /** The finished picture. */

@@ -95,13 +95,26 @@ class ConvertTest {
     @MethodSource("scenes")
     void aSampleSceneStaysTheSame(String name) throws IOException {
         Path again = folder.resolve("again.scene");
-        InProcess.run("convert", Project.scene(name).toString(), out.toString());
+        Path scene = Files.copy(Project.scene(name), folder.resolve("scene.scene"));
+        Files.copy(Project.scene(name).resolveSibling("knot.obj"), folder.resolve("knot.obj"));
+        assertThat(InProcess.run("convert", scene.toString(), out.toString()).exitCode()).isZero();
         assertDone(InProcess.run("convert", out.toString(), again.toString()));
 
-        assertThat(SceneBits.of(SceneFile.read(out).scene())).isEqualTo(SceneBits.of(SceneFile.read(Project.scene(name)).scene()));
-        assertThat(InProcess.run("print", out.toString()).out()).isEqualTo(InProcess.run("print", Project.scene(name).toString()).out())
-            .isNotEmpty();
+        assertThat(SceneBits.of(SceneFile.read(out).scene())).isEqualTo(SceneBits.of(SceneFile.read(scene).scene()));
+        assertThat(InProcess.run("print", out.toString()).out()).isEqualTo(InProcess.run("print", scene.toString()).out()).isNotEmpty();
         assertThat(again).hasSameBinaryContentAs(out);
+    }
+
+    @Test
+    void inAnotherFolderAMeshIsStillFound() throws IOException {
+        Path elsewhere = Files.createDirectory(folder.resolve("elsewhere")).resolve("out.scene");
+        Path mesh = Files.copy(Project.scene("mesh"), folder.resolve("mesh.scene"));
+        Files.copy(Project.scene("mesh").resolveSibling("knot.obj"), folder.resolve("knot.obj"));
+
+        assertDone(InProcess.run("convert", mesh.toString(), elsewhere.toString()));
+
+        assertThat(elsewhere).content().contains("4  \"../knot.obj\" ");
+        assertThat(SceneFile.read(elsewhere).scene().getNumberObjects()).isEqualTo(5);
     }
 
     @Test

@@ -65,6 +65,11 @@ public final class SceneBits {
             add(new Vector(triangle.a));
             add(new Vector(triangle.b));
             add(new Vector(triangle.c));
+        } else if (object instanceof Mesh mesh) {
+            bits.add(mesh.file);
+            add(new Vector(mesh.offset));
+            bits.add(mesh.scale);
+            bits.add(mesh.size());
         } else if (object instanceof Cylinder cylinder) {
             add(new Vector(cylinder.start));
             add(new Vector(cylinder.end));

@@ -51,8 +51,8 @@ class SceneSettingsErrorsTest {
     @ParameterizedTest
     @CsvSource({"background, red", "background 1, green", "background 1 1, blue", "window, xmin", "window 1, xmax", "window 1 2, ymin",
         "window 1 2 3, ymax", "cop, z", "camera, eye x", "camera 1, eye y", "camera 1 1, eye z", "camera 1 1 1, look-at x",
-        "camera 1 1 1 1, look-at y", "camera 1 1 1 1 1, look-at z", "camera 1 1 1 1 1 2, field of view", "resolution, width",
-        "resolution 5, height", "depth, number", "samples, number"})
+        "camera 1 1 1 1, look-at y", "camera 1 1 1 1 1, look-at z", "camera 1 1 1 1 1 2, field of view", "resolution, width from 1 to 65535",
+        "resolution 5, height from 1 to 65535", "depth, number from 0 to 1000", "samples, number from 1 to 16"})
     void aMissingValueIsNamed(String line, String field) {
         String keyword = line.split(" ")[0];
 
