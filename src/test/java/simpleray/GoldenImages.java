@@ -57,6 +57,6 @@ public final class GoldenImages {
         if (!name.startsWith("thesis")) {
             small.resolution = new SceneSettings.Resolution(SIDE, SIDE);
         }
-        return Rendered.png(new RenderRequest(small, Stage.FINAL, false, 2).renderer(SceneFile.read(Project.scene(name)).scene()));
+        return Rendered.png(new RenderRequest(small, Stage.FINAL, false, 1).renderer(SceneFile.read(Project.scene(name)).scene()));
     }
 }
