@@ -21,21 +21,23 @@ install() {
 
 # Names of files need UTF-8: takes C.UTF-8 when the locale in force is another.
 use_utf8() {
-    [ "$(uname)" = Darwin ] && return            # always UTF-8 there
     case ${LC_ALL:-${LC_CTYPE:-${LANG-}}} in
+        C.UTF-8 | C.utf8) return ;;
         *[Uu][Tt][Ff]-8* | *[Uu][Tt][Ff]8*)      # a name alone does not make a locale: it may not be installed
             have locale || return 0
             case $(locale charmap 2>/dev/null) in UTF-8 | '') return ;; esac ;;
     esac
+    [ ! -x /usr/libexec/java_home ] || return 0  # macOS: always UTF-8 there
     LC_ALL=C.UTF-8
     export LC_ALL
 }
 
-# java_version HOME: sets $version to the feature release (17) of the Java there, or to 0
+# java_version HOME: sets $version to the feature release (17) of the Java there, or to 0, and $build to all that it says of its version
 java_version() {
-    version=
+    version='' build=''
     if [ -r "$1/release" ]; then
         while IFS='="' read -r key _ value _; do
+            [ "$key" = JAVA_RUNTIME_VERSION ] && build=$value
             [ "$key" = JAVA_VERSION ] && version=$value && break
         done <"$1/release"
     fi
@@ -45,6 +47,7 @@ java_version() {
     version=${version#1.}                        # 1.8.0_202 is Java 8
     version=${version%%[!0-9]*}
     version=${version:-0}
+    build=${build:-$version}
 }
 
 # home_of COMMAND: sets $home to the Java home that the `java` or `javac` on the PATH belongs to

@@ -3,9 +3,13 @@ package simpleray;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.util.Random;
+import java.util.zip.Deflater;
 import java.util.zip.DeflaterOutputStream;
 
-/** Compresses bytes that are always the same, to see whether two Javas have the same zlib. Run as a program of its own, too. */
+/**
+ * Compresses bytes that are always the same, as pictures are compressed, to see whether two Javas have the same zlib. Run as a program
+ * of its own, too.
+ */
 public final class DeflateProbe {
     private static final int LENGTH = 1 << 16;
 
@@ -31,8 +35,12 @@ public final class DeflateProbe {
             bytes[i] = (byte) random.nextInt(1 + (i >> 12));
         }
         ByteArrayOutputStream compressed = new ByteArrayOutputStream();
-        try (DeflaterOutputStream deflater = new DeflaterOutputStream(compressed)) {
+        Deflater fast = new Deflater(Deflater.BEST_SPEED, true);
+        try (DeflaterOutputStream deflater = new DeflaterOutputStream(compressed, fast, LENGTH, true)) {
             deflater.write(bytes);
+            deflater.flush();
+        } finally {
+            fast.end();
         }
         return compressed.toByteArray();
     }

@@ -4,6 +4,7 @@ import java.awt.image.BufferedImage;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import javax.imageio.ImageIO;
@@ -18,6 +19,8 @@ import simpleray.scene.SimpleCamera;
 
 /** Pictures, made by the program's classes without its command line, and looked at by other means than the program's own. */
 public final class Rendered {
+    private static final int SIGNATURE = 8;
+
     private Rendered() {
     }
 
@@ -46,6 +49,20 @@ public final class Rendered {
     /** {@return the scene that a text describes} */
     static Scene scene(String text) throws IOException {
         return SceneFile.read(new ByteArrayInputStream(text.getBytes(StandardCharsets.UTF_8))).scene();
+    }
+
+    /** {@return a PNG file without the texts that it carries} */
+    public static byte[] untold(byte[] png) {
+        ByteArrayOutputStream left = new ByteArrayOutputStream();
+        left.write(png, 0, SIGNATURE);
+        for (int at = SIGNATURE; at < png.length;) {
+            int length = ByteBuffer.wrap(png, at, Integer.BYTES).getInt() + 3 * Integer.BYTES;   // with itself, the name and the sum
+            if (!new String(png, at + Integer.BYTES, Integer.BYTES, StandardCharsets.US_ASCII).equals("iTXt")) {
+                left.write(png, at, length);
+            }
+            at += length;
+        }
+        return left.toByteArray();
     }
 
     /** {@return the picture in a PNG file} */

@@ -68,9 +68,10 @@ class RoomsTest {
     @Test
     void onlyTheWindowKnowsSwing() {
         noClasses().that().resideOutsideOfPackages(UI, IMAGE).should().dependOnClassesThat()
-            .resideInAnyPackage("java.awt..", "javax.swing..", "javax.accessibility..", "javax.imageio..", "com.formdev..").check(PROGRAM);
+            .resideInAnyPackage("java.awt..", "javax.swing..", "javax.accessibility..", "javax.imageio..", "com.formdev..",
+                "org.fife..").check(PROGRAM);
         noClasses().that().resideInAPackage(IMAGE).should().dependOnClassesThat(
-            resideInAnyPackage("java.awt..", "javax.swing..", "javax.accessibility..", "com.formdev..")
+            resideInAnyPackage("java.awt..", "javax.swing..", "javax.accessibility..", "com.formdev..", "org.fife..")
                 .and(not(resideInAPackage("java.awt.image..")))).check(PROGRAM);
     }
 
@@ -87,7 +88,7 @@ class RoomsTest {
     @Test
     void nothingElseIsUsedFromOutsideTheJdk() {
         noClasses().should().dependOnClassesThat(not(resideInAnyPackage("simpleray..", "java..", "javax..", "picocli..", "com.formdev..",
-            "de.javagl..")).and(not(resideInAPackage("")))).check(PROGRAM); // "": int and the like
+            "org.fife..", "de.javagl..")).and(not(resideInAPackage("")))).check(PROGRAM); // "": int and the like
     }
 
     @Test

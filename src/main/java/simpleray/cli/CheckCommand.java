@@ -1,17 +1,23 @@
 package simpleray.cli;
 
 import java.io.IOException;
-import java.io.OutputStream;
-import java.nio.charset.StandardCharsets;
+import java.nio.file.FileSystemException;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.ParentCommand;
+import simpleray.render.SceneWarnings;
 import simpleray.scene.SceneFile;
+import simpleray.text.PictureFormatException;
+import simpleray.text.Problem;
+import simpleray.text.SceneFormatException;
 
 /** Reads scene files and reports what is wrong or odd about them. */
-@Command(name = "check", mixinStandardHelpOptions = true,
+@Command(mixinStandardHelpOptions = true,
     description = "Reads scene files, and reports their errors and warnings. The exit code is that of the worst: 66, 65 or 0.")
 final class CheckCommand implements Callable<Integer> {
     @ParentCommand
@@ -20,15 +26,29 @@ final class CheckCommand implements Callable<Integer> {
     @Parameters(paramLabel = "SCENE", arity = "1..*", description = "The scene files; - is standard input.")
     private List<String> scenes;
 
+    @Option(names = "--errors", paramLabel = "FORMAT", defaultValue = "text",
+        description = "How errors and warnings are told: ${COMPLETION-CANDIDATES} (default: ${DEFAULT-VALUE}). json is one array on "
+            + "standard output, of objects with file, line, column, severity and message, for editors.")
+    private Stats.Format errors;
+
+    @Mixin
+    private OutsideOption outside;
+
     @Override
     public Integer call() throws Failure {
+        return errors == Stats.Format.JSON ? json() : text();
+    }
+
+    private int text() throws Failure {
         int worst = ExitCode.DONE;
         for (String scene : scenes) {
             try {
-                SceneFile file = SceneArgument.read(scene, main.in(), main.err());
-                int warnings = file.warnings().size();
-                say(scene + ": good: " + count(file.scene().getNumberObjects(), "object") + ", "
-                    + count(file.scene().getNumberLights(), "light") + (warnings > 0 ? ", " + count(warnings, "warning") : ""));
+                SceneFile file = SceneArgument.read(scene, main.in(), main.err(), outside.reach());
+                List<Problem> more = SceneWarnings.of(file, SceneArgument.told(scene));
+                more.forEach(main.err()::println);
+                int warnings = file.warnings().size() + more.size();
+                TextOutput.say(main, scene + ": good: " + count(file.scene().getNumberObjects(), "object") + ", "
+                    + count(file.scene().getNumberLights(), "light") + (warnings > 0 ? ", " + count(warnings, "warning") : "") + '\n');
             } catch (Failure e) {
                 if (e.exitCode() == ExitCode.WRITE_ERROR) {
                     throw e;
@@ -40,14 +60,29 @@ final class CheckCommand implements Callable<Integer> {
         return worst;
     }
 
-    private void say(String line) throws Failure {
-        try {
-            OutputStream out = main.out();
-            out.write((line + '\n').getBytes(StandardCharsets.UTF_8));
-            out.flush();
-        } catch (IOException e) {
-            throw new Failure(ExitCode.WRITE_ERROR, "simpleray: standard output cannot be written: " + e.getMessage());
+    private int json() throws Failure {
+        int worst = ExitCode.DONE;
+        List<Problem> problems = new ArrayList<>();
+        for (String scene : scenes) {
+            String name = SceneArgument.told(scene);
+            try {
+                SceneFile file = SceneArgument.open(scene, main.in(), outside.reach());
+                problems.addAll(file.warnings());
+                problems.addAll(SceneWarnings.of(file, name));
+            } catch (SceneFormatException e) {
+                problems.addAll(e.problems());
+                worst = Math.max(worst, ExitCode.BAD_SCENE);
+            } catch (PictureFormatException e) {
+                problems.add(new Problem(name, 1, 1, true, e.fault(), null));
+                worst = Math.max(worst, ExitCode.BAD_SCENE);
+            } catch (IOException e) {
+                String reason = e instanceof FileSystemException f ? f.getReason() : "cannot be read: " + e.getMessage();
+                problems.add(new Problem(name, 1, 1, true, reason, null));
+                worst = Math.max(worst, ExitCode.NO_SCENE);
+            }
         }
+        TextOutput.say(main, Json.array(problems));
+        return worst;
     }
 
     private static String count(int n, String what) {

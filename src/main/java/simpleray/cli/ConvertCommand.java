@@ -4,13 +4,14 @@ import java.io.File;
 import java.nio.file.Path;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.ParentCommand;
 import simpleray.scene.Mesh;
 import simpleray.scene.Scene;
 
 /** Rewrites a scene in canonical form. */
-@Command(name = "convert", mixinStandardHelpOptions = true,
+@Command(mixinStandardHelpOptions = true,
     description = "Rewrites a scene in canonical form: the same scene, one line for each thing, comments aside. "
         + "IN and OUT may be one file.")
 final class ConvertCommand implements Callable<Integer> {
@@ -23,15 +24,23 @@ final class ConvertCommand implements Callable<Integer> {
     @Parameters(index = "1", paramLabel = "OUT", description = "The scene file to write; - is standard output.")
     private String out;
 
+    @Mixin
+    private OutsideOption outside;
+
     @Override
     public Integer call() throws Failure {
-        Scene scene = SceneArgument.read(in, main.in(), main.err()).scene();
+        Scene scene = SceneArgument.read(in, main.in(), main.err(), outside.reach()).scene();
+        boolean leaves = false;
         for (int i = 0; i < scene.getNumberObjects(); i++) {
             if (scene.getObject(i) instanceof Mesh mesh) {    // its file's name is relative to the scene's folder, which may be another
                 mesh.file = folder(out).relativize(folder(in).resolve(mesh.file)).toString().replace(File.separatorChar, '/');
+                leaves |= mesh.file.startsWith("../") || Path.of(mesh.file).isAbsolute();
             }
         }
         TextOutput.write(main, out, scene::write);
+        if (leaves) {
+            main.err().println(out + ": warning: names OBJ files outside its folder: " + OutsideOption.NAME + " allows them");
+        }
         return ExitCode.DONE;
     }
 

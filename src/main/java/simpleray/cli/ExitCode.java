@@ -3,6 +3,7 @@ package simpleray.cli;
 /** What the program's exit codes mean; those above 60 are of BSD's sysexits. */
 final class ExitCode {
     static final int DONE = 0;
+    static final int DIFFERENT = 1;
     static final int USAGE = 2;
     static final int BAD_SCENE = 65;
     static final int NO_SCENE = 66;
@@ -11,6 +12,11 @@ final class ExitCode {
     static final int NO_MEMORY = 71;
     static final int NO_OUTPUT = 73;
     static final int WRITE_ERROR = 74;
+    static final int BUSY = 75;
+    /** Of SIGINT, Ctrl+C; the Java machine itself ends with it. */
+    static final int INTERRUPTED = 130;
+    /** Of SIGTERM, likewise. */
+    static final int TERMINATED = 143;
 
     private ExitCode() {
     }

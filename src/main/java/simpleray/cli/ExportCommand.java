@@ -6,10 +6,8 @@ import picocli.CommandLine.IModelTransformer;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.ParentCommand;
-import picocli.CommandLine.Spec;
 import simpleray.render.RenderSettings;
 import simpleray.render.Stage;
 import simpleray.scene.PovChannel;
@@ -18,19 +16,17 @@ import simpleray.scene.Scene;
 import simpleray.scene.SceneSettings;
 
 /** Writes a scene for another renderer. */
-@Command(name = "export", mixinStandardHelpOptions = true, sortOptions = false, modelTransformer = ExportCommand.Fewer.class,
+@Command(mixinStandardHelpOptions = true, sortOptions = false, modelTransformer = ExportCommand.Fewer.class,
     description = "Writes a scene for POV-Ray 3.7, which makes the same picture of it, as nearly as it can.")
 final class ExportCommand implements Callable<Integer> {
     @ParentCommand
     private Main main;
 
-    @Spec
-    private CommandSpec spec;
-
     @Parameters(paramLabel = "SCENE", description = SceneArgument.DESCRIPTION)
     private String scene;
 
     @Option(names = "--pov", required = true, description = "For POV-Ray 3.7.")
+    @SuppressWarnings("unused")                               // required, so it says nothing more
     private boolean pov;
 
     @Option(names = {"-o", "--output"}, paramLabel = "OUT.pov", required = true,
@@ -43,15 +39,18 @@ final class ExportCommand implements Callable<Integer> {
     private PovChannel channel;
 
     @Mixin
+    private OutsideOption outside;
+
+    @Mixin
     private PictureOptions picture;
 
     @Override
     public Integer call() throws Failure {
         SceneSettings asked = picture.request(Stage.FINAL, 1).settings();
         if (TextOutput.isSame(scene, output)) {
-            throw new ParameterException(spec.commandLine(), "the output " + output + " is the scene itself");
+            throw Failure.usage("the output " + output + " is the scene itself");
         }
-        Scene read = SceneArgument.read(scene, main.in(), main.err()).scene();
+        Scene read = SceneArgument.read(scene, main.in(), main.err(), outside.reach()).scene();
         read.settings = read.settings.under(asked);
         int depth = read.settings.depth == null ? RenderSettings.DEFAULT_DEPTH : read.settings.depth;
         PovScene exported = new PovScene(read, read.settings.newCamera(), depth, channel);

@@ -11,6 +11,11 @@ final class Failure extends Exception {
         this.exitCode = exitCode;
     }
 
+    /** {@return the failure of a command line that makes no sense} The message is without the command's name, which its reporter knows. */
+    static Failure usage(String message) {
+        return new Failure(ExitCode.USAGE, message);
+    }
+
     int exitCode() {
         return exitCode;
     }

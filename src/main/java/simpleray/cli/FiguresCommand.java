@@ -1,5 +1,6 @@
 package simpleray.cli;
 
+import java.io.File;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -9,32 +10,28 @@ import java.util.concurrent.Callable;
 import java.util.function.Supplier;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.ParentCommand;
-import picocli.CommandLine.Spec;
 import simpleray.image.Picture;
 import simpleray.image.PngWriter;
 import simpleray.image.Sheet;
 import simpleray.render.Progress;
+import simpleray.render.Provenance;
 import simpleray.render.RenderRequest;
 import simpleray.render.Stage;
 import simpleray.scene.Scene;
+import simpleray.scene.SceneFile;
 import simpleray.text.Numbers;
 import simpleray.text.WholeFile;
 
 /** Makes the thesis's figures of a scene, each a sheet of labelled pictures. */
-@Command(name = "figures", mixinStandardHelpOptions = true, sortOptions = false,
+@Command(mixinStandardHelpOptions = true, sortOptions = false,
     description = "Makes the thesis's figures of a scene, each a sheet of labelled pictures: DIR/NAME-stages.png (figures 12 to 14), "
         + "DIR/NAME-terms.png (figure 10) and, with --sweep, DIR/NAME-shininess.png (figure 8).")
 final class FiguresCommand implements Callable<Integer> {
     @ParentCommand
     private Main main;
-
-    @Spec
-    private CommandSpec spec;
 
     @Parameters(paramLabel = "SCENE", description = SceneArgument.DESCRIPTION)
     private String scene;
@@ -51,9 +48,13 @@ final class FiguresCommand implements Callable<Integer> {
     private PictureOptions picture;
 
     @Mixin
+    private OutsideOption outside;
+
+    @Mixin
     private WorkOptions work;
 
     private RenderRequest request;
+    private SceneFile file;
     private Scene read;
     private ProgressPrinter printer;
 
@@ -63,8 +64,9 @@ final class FiguresCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws Failure {
-        request = picture.request(Stage.LIGHTING, work.threads());
-        read = SceneArgument.read(scene, main.in(), work.warnings(main.err())).scene();
+        request = picture.request(Stage.LIGHTING, work.threads()).with(work.accel());
+        file = SceneArgument.read(scene, main.in(), work.warnings(main.err()), outside.reach());
+        read = file.scene();
         List<Figure> figures = figures();
         Picture first = request.renderer(read).picture();     // its size is that of all
         List<Sheet> sheets = layouts(figures, first.width(), first.height());
@@ -80,8 +82,8 @@ final class FiguresCommand implements Callable<Integer> {
                 make(figures.get(i), sheets.get(i), files.get(i));
             }
         } finally {
-            for (WholeFile file : files) {
-                close(file);
+            for (WholeFile begun : files) {
+                close(begun);
             }
         }
         return ExitCode.DONE;
@@ -128,7 +130,7 @@ final class FiguresCommand implements Callable<Integer> {
                 sheets.add(new Sheet(width, height, figure.labels));
             }
         } catch (IllegalArgumentException e) {
-            throw new ParameterException(spec.commandLine(), e.getMessage());
+            throw Failure.usage(e.getMessage());
         }
         for (int i = 0; i < sheets.size(); i++) {
             Sheet sheet = sheets.get(i);
@@ -139,25 +141,26 @@ final class FiguresCommand implements Callable<Integer> {
     }
 
     private String output(Figure figure) {
-        String name = scene.equals(SceneArgument.STREAM) ? "stdin" : Path.of(scene).getFileName().toString();
+        String name = scene.equals(SceneArgument.STREAM) ? "stdin" : new File(scene).getName();
         int ending = name.lastIndexOf('.');
         return Path.of(folder).resolve((ending > 0 ? name.substring(0, ending) : name) + '-' + figure.name + ".png").toString();
     }
 
     private WholeFile begin(String output) throws Failure {
         if (TextOutput.isSame(scene, output)) {
-            throw new ParameterException(spec.commandLine(), "the output " + output + " is the scene itself");
+            throw Failure.usage("the output " + output + " is the scene itself");
         }
         return TextOutput.begin(output);
     }
 
-    private void make(Figure figure, Sheet sheet, WholeFile file) throws Failure {
+    private void make(Figure figure, Sheet sheet, WholeFile target) throws Failure {
         long start = System.nanoTime();
         Picture filled = sheet.with(figure.pictures.get());
         printer.end();
         try {
-            PngWriter.write(filled, file.out());
-            file.commit();
+            filled.tell(Provenance.ofSheet(request, file, figure.name + ": " + String.join(", ", figure.labels)));
+            PngWriter.write(filled, target.out());
+            target.commit();
         } catch (IOException e) {
             throw new Failure(ExitCode.WRITE_ERROR, "simpleray: " + output(figure) + ": cannot be written: " + e.getMessage());
         }

@@ -5,20 +5,9 @@ import java.io.FileOutputStream;
 import java.io.InputStream;
 import java.io.OutputStream;
 import java.io.PrintStream;
-import java.io.PrintWriter;
-import java.util.ArrayList;
-import java.util.Arrays;
-import java.util.List;
-import java.util.Locale;
-import picocli.AutoComplete.GenerateCompletion;
-import picocli.CommandLine;
+import java.nio.file.InvalidPathException;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.HelpCommand;
 import picocli.CommandLine.IVersionProvider;
-import picocli.CommandLine.ParameterException;
-import picocli.CommandLine.TypeConversionException;
-import simpleray.render.Stage;
-import simpleray.scene.PovChannel;
 
 /** The program: {@code simpleray SCENE} opens the window, the other commands work without one. */
 @Command(name = "simpleray", versionProvider = Main.Version.class, mixinStandardHelpOptions = true,
@@ -30,17 +19,18 @@ import simpleray.scene.PovChannel;
     footer = {"  simpleray scenes/thesis.scene", "  simpleray render scenes/thesis.scene -o thesis.png --size 800x600",
         "%nSCENE alone is short for: simpleray view SCENE. Without arguments an empty window opens."},
     exitCodeListHeading = "%nExit codes:%n",
-    exitCodeList = {"0:done", "2:wrong usage", "65:the scene has errors", "66:the scene cannot be read",
-        "69:no display for a window", "70:internal error", "71:too large for the memory", "73:the output cannot be created",
-        "74:the output cannot be written"},
-    subcommands = {ViewCommand.class, RenderCommand.class, FiguresCommand.class, PrintCommand.class, CheckCommand.class,
-        ConvertCommand.class, ExportCommand.class, GenerateCompletion.class, HelpCommand.class})
+    exitCodeList = {"0:done", "1:verify and compare: the pictures differ", "2:wrong usage", "65:the scene has errors",
+        "66:the scene cannot be read", "69:no display for a window", "70:internal error",
+        "71:too large for the memory", "73:the output cannot be created",
+        "74:the output cannot be written", "75:output or checkpoint are being written by another run",
+        "130:interrupted (Ctrl+C)", "143:told to stop (SIGTERM)"})
 public final class Main implements Runnable {
     private final InputStream in;
     private final OutputStream out;
     private final PrintStream err;
+    private String[] args = {};
 
-    private Main(InputStream in, OutputStream out, PrintStream err) {
+    Main(InputStream in, OutputStream out, PrintStream err) {
         this.in = in;
         this.out = out;
         this.err = err;
@@ -65,69 +55,63 @@ public final class Main implements Runnable {
      * @return the exit code
      */
     public static int run(String[] args, InputStream in, OutputStream out, PrintStream err) {
-        CommandLine line = new CommandLine(new Main(in, out, err));
-        PrintWriter results = new PrintWriter(out, true);     // for help, version and completion; it notes errors and throws none
-        line.setOut(results).setErr(new PrintWriter(err, true));
-        line.setExpandAtFiles(false);                         // a file name may begin with @
-        line.registerConverter(Stage.class, word -> constant(Stage.values(), word));
-        line.registerConverter(PovChannel.class, word -> constant(PovChannel.values(), word));
-        line.registerConverter(ProgressPrinter.Style.class, word -> constant(ProgressPrinter.Style.values(), word));
-        line.getSubcommands().get("generate-completion").getCommandSpec().usageMessage().description(
-            "Prints a script that completes simpleray's commands and options in bash and zsh: source <(simpleray generate-completion)");
-        line.setParameterExceptionHandler((e, a) -> usage(e, err));
-        line.setExecutionExceptionHandler((e, commandLine, result) -> report(e, commandLine, err));
+        Main main = new Main(in, out, err);
+        main.args = args;
         try {
-            int exitCode = line.execute(withCommand(line, args));
-            if (results.checkError() && exitCode == ExitCode.DONE) {
-                err.println("simpleray: standard output cannot be written");
-                return ExitCode.WRITE_ERROR;
-            }
-            return exitCode;
+            PlainCommand plain = PlainLine.read(main, args);
+            return plain == null ? new Commands(main).execute(args) : main.run(plain);
         } catch (OutOfMemoryError e) {
             err.println("simpleray: the scene or the picture is too large for the memory: make it smaller, or give java more by -Xmx");
             return ExitCode.NO_MEMORY;
         } catch (Error e) {
-            return internal(e, err);
+            return main.internal(e);
         }
     }
 
-    /** Puts {@code view} before a command line that begins with no command of ours. */
-    private static String[] withCommand(CommandLine line, String[] args) {
-        List<String> own = List.of("-h", "--help", "-V", "--version");
-        if (args.length > 0 && (own.contains(args[0]) || line.getSubcommands().containsKey(args[0]))) {
-            return args;
+    private int run(PlainCommand command) {
+        try {
+            return command.call();
+        } catch (Exception e) {
+            return report(e, "simpleray " + command.name());
         }
-        List<String> all = new ArrayList<>(Arrays.asList(args));
-        all.add(0, "view");
-        return all.toArray(new String[0]);
     }
 
-    private static <T> T constant(T[] all, String word) {
-        return Arrays.stream(all).filter(t -> t.toString().equals(word.toLowerCase(Locale.ROOT))).findFirst()
-            .orElseThrow(() -> new TypeConversionException("expected one of " + Arrays.toString(all) + ", found '" + word + "'"));
+    /** Says what ended a command, and gives the exit code. */
+    int report(Exception e, String command) {
+        if (e instanceof InvalidPathException name) {
+            return usage(command, "no file can be called '" + name.getInput() + "' here: " + name.getReason());
+        }
+        if (!(e instanceof Failure failure)) {
+            return internal(e);
+        }
+        if (failure.exitCode() == ExitCode.USAGE) {
+            return usage(command, failure.getMessage());
+        }
+        err.println(failure.getMessage());
+        return failure.exitCode();
     }
 
-    private static int usage(ParameterException e, PrintStream err) {
-        String name = e.getCommandLine().getCommandSpec().qualifiedName();
-        err.println(name + ": " + e.getMessage().strip().replace('\n', ' ') + " (see " + name + " --help)");
+    /** Says what makes no sense in a command line, and gives the exit code. */
+    int usage(String command, String message) {
+        err.println(command + ": " + message.strip().replace('\n', ' ') + " (see " + command + " --help)");
         return ExitCode.USAGE;
     }
 
-    private static int report(Exception e, CommandLine commandLine, PrintStream err) throws Exception {
-        if (e instanceof Failure failure) {
-            err.println(failure.getMessage());
-            return failure.exitCode();
-        }
-        if (e instanceof ParameterException parameter) {
-            return usage(parameter, err);
-        }
-        return internal(e, err);
-    }
-
-    private static int internal(Throwable e, PrintStream err) {
+    private int internal(Throwable e) {
         err.println("simpleray: internal error, which should not happen whatever the input: " + e);
         e.printStackTrace(err);
         return ExitCode.INTERNAL;
+    }
+
+    /** {@return the command line} */
+    String[] args() {
+        return args;
+    }
+
+    /** {@return the version as the jar's manifest has it} */
+    static String version() {
+        String version = Main.class.getPackage().getImplementationVersion();
+        return version == null ? "(not packaged)" : version;
     }
 
     InputStream in() {
@@ -151,8 +135,7 @@ public final class Main implements Runnable {
     static final class Version implements IVersionProvider {
         @Override
         public String[] getVersion() {
-            String version = Main.class.getPackage().getImplementationVersion();
-            return new String[] {"SimpleRay " + (version == null ? "(not packaged)" : version),
+            return new String[] {"SimpleRay " + version(),
                 "Java " + System.getProperty("java.version") + ", " + System.getProperty("java.vm.name")};
         }
     }

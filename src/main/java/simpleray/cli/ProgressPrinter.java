@@ -1,5 +1,6 @@
 package simpleray.cli;
 
+import java.io.Console;
 import java.io.IOException;
 import java.io.PrintStream;
 import java.nio.file.Files;
@@ -88,7 +89,16 @@ final class ProgressPrinter implements RenderListener {
             String file = Files.readSymbolicLink(Path.of("/proc/self/fd/2")).toString();
             return file.startsWith("/dev/pts/") || file.startsWith("/dev/tty");
         } catch (IOException | UnsupportedOperationException e) {
-            return System.console() != null;
+            return isTerminal(System.console());
+        }
+    }
+
+    /** Since Java 22 there may be a console where there is no terminal, but it says so. */
+    private static boolean isTerminal(Console console) {
+        try {
+            return console != null && (Boolean) Console.class.getMethod("isTerminal").invoke(console);
+        } catch (ReflectiveOperationException e) {
+            return true;
         }
     }
 }

@@ -3,35 +3,36 @@ package simpleray.cli;
 import java.io.BufferedOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
+import java.io.UncheckedIOException;
+import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Set;
-import java.util.concurrent.Callable;
+import java.util.concurrent.CancellationException;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.ParentCommand;
-import picocli.CommandLine.Spec;
 import simpleray.image.Picture;
 import simpleray.image.PngWriter;
+import simpleray.render.PictureIdentity;
 import simpleray.render.Progress;
+import simpleray.render.Provenance;
+import simpleray.render.Region;
 import simpleray.render.RenderRequest;
 import simpleray.render.Renderer;
+import simpleray.scene.Scene;
+import simpleray.scene.SceneFile;
 import simpleray.text.WholeFile;
 
 /** Renders a scene into a PNG file, without a window. */
-@Command(name = "render", mixinStandardHelpOptions = true, sortOptions = false,
+@Command(mixinStandardHelpOptions = true, sortOptions = false,
     description = "Renders a scene into a PNG file, without a window.")
-final class RenderCommand implements Callable<Integer> {
+final class RenderCommand implements PlainCommand {
     private static final Set<String> OTHER_FORMATS = Set.of("jpg", "jpeg", "gif", "bmp", "tif", "tiff", "webp", "ppm", "svg", "pdf");
 
     @ParentCommand
     private Main main;
-
-    @Spec
-    private CommandSpec spec;
 
     @Parameters(paramLabel = "SCENE", description = SceneArgument.DESCRIPTION)
     private String scene;
@@ -41,72 +42,172 @@ final class RenderCommand implements Callable<Integer> {
     private String output;
 
     @Mixin
-    private PictureOptions picture;
+    private final PictureOptions picture = new PictureOptions();
 
     @Mixin
-    private StageOption stage;
+    private final StageOption stage = new StageOption();
 
     @Mixin
-    private WorkOptions work;
+    private final WorkOptions work = new WorkOptions();
+
+    @Mixin
+    private final KeepOptions keep = new KeepOptions();
+
+    @Mixin
+    private final OutsideOption outside = new OutsideOption();
+
+    @Option(names = "--stats", paramLabel = "FORMAT",
+        description = "Also print what was done, on standard output (on standard error if the picture goes there): rays by kind and "
+            + "depth, tests a ray, time of each phase. FORMAT: ${COMPLETION-CANDIDATES}.")
+    private Stats.Format stats;
+
+    @Option(names = "--region", paramLabel = "X,Y,W,H",
+        description = "Only this piece of the picture: the column of its left edge, the row of its upper one, its width and height in "
+            + "pixels. They are the pixels of the whole picture.")
+    private Region region;
 
     private final long start = System.nanoTime();
+    private double readSeconds;
+
+    /** As picocli makes it, which then fills in the fields. */
+    RenderCommand() {
+    }
+
+    /** A command whose options are taken one by one. */
+    RenderCommand(Main main) {
+        this.main = main;
+    }
+
+    @Override
+    public boolean take(String name, String value) {
+        switch (name) {
+            case SCENE -> scene = value;
+            case "--output" -> output = value;
+            case "--region" -> region = Values.region(value);
+            case "--stats" -> stats = Values.constant(Stats.Format.values(), value);
+            default -> {
+                return picture.take(name, value) || stage.take(name, value) || work.take(name, value) || keep.take(name, value)
+                    || outside.take(name);
+            }
+        }
+        return true;
+    }
+
+    @Override
+    public boolean isComplete() {
+        return scene != null && output != null;
+    }
+
+    @Override
+    public String name() {
+        return "render";
+    }
 
     @Override
     public Integer call() throws Failure {
-        RenderRequest request = picture.request(stage.stage(), work.threads());
+        RenderRequest request = picture.request(stage.stage(), work.threads()).with(work.accel()).with(region);
         refuseOtherFormats();
-        Renderer renderer = request.renderer(SceneArgument.read(scene, main.in(), work.warnings(main.err())).scene());
+        Path kept = keep.file(output);
+        long begin = System.nanoTime();
+        SceneFile read = SceneArgument.read(scene, main.in(), work.warnings(main.err()), outside.reach());
+        readSeconds = Progress.seconds(begin, System.nanoTime());
+        Renderer renderer = renderer(request, read.scene());
         Picture asked = renderer.picture();
-        Memory.require("a picture of " + asked.width() + 'x' + asked.height(), Picture.bytesNeeded(asked.width(), asked.height()));
-        if (output.equals(SceneArgument.STREAM)) {
-            toStream(renderer);
-        } else {
-            toFile(renderer);
+        asked.tell(Provenance.of(request, read));
+        Memory.require("a picture of " + asked.width() + 'x' + asked.height(),
+            renderer.bytesNeeded() + PngWriter.bytesNeeded(asked.width(), renderer.rowsAhead()));
+        try (Keeper keeper = new Keeper(kept, renderer, () -> PictureIdentity.of(Main.version(), request, read.scene()),
+                new Keeper.Notes(main.err(), work.quiet(), main.args()))) {
+            if (output.equals(SceneArgument.STREAM)) {
+                toStream(renderer, keeper);
+            } else {
+                toFile(renderer, keeper);
+            }
+            return ExitCode.DONE;
+        } catch (CancellationException e) {                   // the program is told to stop; Keeper says so
+            return ExitCode.INTERRUPTED;
         }
-        return ExitCode.DONE;
     }
 
-    private void toStream(Renderer renderer) throws Failure {
-        Picture rendered = render(renderer);
+    /** Makes the renderer, if the picture, whose size is known only now, has the region that is asked for. */
+    private static Renderer renderer(RenderRequest request, Scene read) throws Failure {
         try {
-            OutputStream out = new BufferedOutputStream(main.out());
-            PngWriter.write(rendered, out);
-            report("<stdout>", rendered);
+            return request.renderer(read);
+        } catch (IllegalArgumentException e) {
+            throw Failure.usage(e.getMessage());
+        }
+    }
+
+    private void toStream(Renderer renderer, Keeper keeper) throws Failure {
+        try {
+            keeper.begin(keep, Keeper.LATE);
+            render(renderer, new BufferedOutputStream(main.out()), keeper);
+            keeper.finished();
+            report("<stdout>", renderer);
         } catch (IOException e) {
             throw new Failure(ExitCode.WRITE_ERROR, "simpleray: the picture cannot be written to standard output: " + e.getMessage());
         }
     }
 
-    private void toFile(Renderer renderer) throws Failure {
+    private void toFile(Renderer renderer, Keeper keeper) throws Failure {
         if (TextOutput.isSame(scene, output)) {
-            throw new ParameterException(spec.commandLine(), "the output " + output + " is the scene itself");
+            throw Failure.usage("the output " + output + " is the scene itself");
         }
         try (WholeFile file = TextOutput.begin(output)) {
-            Picture rendered = render(renderer);
-            PngWriter.write(rendered, file.out());
+            keeper.begin(keep, Keeper.LATE);
+            render(renderer, file.out(), keeper);
             file.commit();
-            report(output, rendered);
+            keeper.finished();
+            report(output, renderer);
         } catch (IOException e) {
             throw new Failure(ExitCode.WRITE_ERROR, "simpleray: " + output + ": cannot be written: " + e.getMessage());
         }
     }
 
-    private Picture render(Renderer renderer) {
-        Progress counter = new Progress(renderer.picture().height(), start);
-        ProgressPrinter printer = work.printer(counter, main.err());
-        Picture rendered = renderer.render(printer);
-        printer.end();
-        return rendered;
+    /** Writes each row as soon as it can be, and lets go of it. What cannot be written ends the rendering. */
+    private void render(Renderer renderer, OutputStream out, Keeper keeper) throws IOException {
+        Picture rendered = renderer.picture();
+        PngWriter png = new PngWriter(rendered, out, keeper);
+        ProgressPrinter printer = work.printer(new Progress(rendered.height(), start, keeper.known()), main.err());
+        try {
+            renderer.render(y -> {
+                write(png, y);
+                rendered.release(y);
+                printer.rowFinished(y);
+            });
+        } catch (UncheckedIOException e) {
+            throw e.getCause();
+        } finally {
+            printer.end();
+        }
+        png.end();
     }
 
-    private void report(String name, Picture rendered) {
-        work.report(main.err(), name, rendered, Progress.seconds(start, System.nanoTime()));
+    private static void write(PngWriter png, int y) {
+        try {
+            png.row(y);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
     }
 
-    private void refuseOtherFormats() {
+    private void report(String name, Renderer renderer) throws Failure {
+        work.report(main.err(), name, renderer.picture(), Progress.seconds(start, System.nanoTime()));
+        if (stats == null) {
+            return;
+        }
+        String text = new Stats(readSeconds, renderer.work()).text(stats);
+        if (output.equals(SceneArgument.STREAM)) {
+            main.err().print(text);
+        } else {
+            TextOutput.say(main, text);
+        }
+    }
+
+    private void refuseOtherFormats() throws Failure {
         String extension = output.substring(output.lastIndexOf('.') + 1).toLowerCase(Locale.ROOT);
         if (OTHER_FORMATS.contains(extension) && output.contains(".")) {
-            throw new ParameterException(spec.commandLine(), "pictures are written as PNG only: call the output " + output + ".png?");
+            throw Failure.usage("pictures are written as PNG only: call the output " + output + ".png?");
         }
     }
 }

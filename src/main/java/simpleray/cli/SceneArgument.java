@@ -5,7 +5,9 @@ import java.io.InputStream;
 import java.io.PrintStream;
 import java.nio.file.FileSystemException;
 import java.nio.file.Path;
+import simpleray.scene.Reach;
 import simpleray.scene.SceneFile;
+import simpleray.text.PictureFormatException;
 import simpleray.text.Problem;
 import simpleray.text.SceneFormatException;
 
@@ -19,17 +21,34 @@ final class SceneArgument {
     }
 
     /**
+     * Reads a scene.
+     *
+     * @param name a path, or - for standard input
+     * @param in standard input
+     * @param reach which OBJ files it may name
+     */
+    static SceneFile open(String name, InputStream in, Reach reach) throws IOException {
+        return name.equals(STREAM) ? SceneFile.read(in, reach) : SceneFile.read(Path.of(name), reach);
+    }
+
+    /** {@return what messages call a scene of that name} */
+    static String told(String name) {
+        return name.equals(STREAM) ? "<stdin>" : name;
+    }
+
+    /**
      * Reads a scene and reports what is odd about it.
      *
      * @param name a path, or - for standard input
      * @param in standard input
      * @param warnings where warnings go; null for nowhere
+     * @param reach which OBJ files it may name
      * @return the scene
      * @throws Failure with the whole report if it is bad or cannot be read
      */
-    static SceneFile read(String name, InputStream in, PrintStream warnings) throws Failure {
+    static SceneFile read(String name, InputStream in, PrintStream warnings, Reach reach) throws Failure {
         try {
-            SceneFile file = name.equals(STREAM) ? SceneFile.read(in) : SceneFile.read(Path.of(name));
+            SceneFile file = open(name, in, reach);
             if (warnings != null) {
                 for (Problem warning : file.warnings()) {
                     warnings.println(warning);
@@ -38,6 +57,8 @@ final class SceneArgument {
             return file;
         } catch (SceneFormatException e) {
             throw new Failure(ExitCode.BAD_SCENE, e.getMessage());
+        } catch (PictureFormatException e) {
+            throw new Failure(ExitCode.BAD_SCENE, "simpleray: " + e.getMessage());
         } catch (FileSystemException e) {
             throw new Failure(ExitCode.NO_SCENE, "simpleray: " + name + ": " + e.getReason());
         } catch (IOException e) {

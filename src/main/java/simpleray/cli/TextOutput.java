@@ -1,10 +1,12 @@
 package simpleray.cli;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import simpleray.text.FileInUseException;
 import simpleray.text.SceneWriter;
 import simpleray.text.WholeFile;
 
@@ -75,6 +77,9 @@ final class TextOutput {
 
     private static Failure notCreated(String name, IOException e) {
         String reason = e.getMessage();
+        if (e instanceof FileInUseException busy) {
+            return new Failure(ExitCode.BUSY, "simpleray: " + name + ": " + busy.getReason());
+        }
         if (e instanceof FileSystemException f) {
             reason = f.getReason() != null ? f.getReason() : e.getClass().getSimpleName().replace("Exception", "");
         }
@@ -88,6 +93,20 @@ final class TextOutput {
                 && Files.exists(Path.of(other)) && Files.isSameFile(Path.of(one), Path.of(other));
         } catch (IOException e) {
             return false;                                     // then opening it says what is wrong
+        }
+    }
+
+    /**
+     * Writes to standard output.
+     *
+     * @throws Failure if it cannot be written
+     */
+    static void say(Main main, String text) throws Failure {
+        try {
+            main.out().write(text.getBytes(StandardCharsets.UTF_8));
+            main.out().flush();
+        } catch (IOException e) {
+            throw new Failure(ExitCode.WRITE_ERROR, "simpleray: standard output cannot be written: " + e.getMessage());
         }
     }
 }

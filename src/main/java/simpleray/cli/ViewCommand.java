@@ -2,21 +2,22 @@ package simpleray.cli;
 
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.ParentCommand;
 import simpleray.image.Picture;
 import simpleray.render.RenderRequest;
 import simpleray.scene.Scene;
+import simpleray.ui.Look;
 import simpleray.ui.SceneSource;
 import simpleray.ui.Viewer;
 
 /** Opens the window. */
-@Command(name = "view", mixinStandardHelpOptions = true, sortOptions = false,
+@Command(mixinStandardHelpOptions = true, sortOptions = false,
     description = "Opens a window in which the picture appears row by row.")
-final class ViewCommand implements Callable<Integer> {
+final class ViewCommand implements PlainCommand {
     /** Bytes for each pixel that a window takes beside the picture: its image, and rows on their way to it. */
     private static final long SCREEN = 8;
 
@@ -27,10 +28,49 @@ final class ViewCommand implements Callable<Integer> {
     private String scene;
 
     @Mixin
-    private PictureOptions picture;
+    private final PictureOptions picture = new PictureOptions();
 
     @Mixin
-    private StageOption stage;
+    private final StageOption stage = new StageOption();
+
+    @Option(names = "--look", paramLabel = "LOOK",
+        description = "${COMPLETION-CANDIDATES}: how this window looks, system being as the desktop is set (default: as chosen in the "
+            + "window before, at first system).")
+    private Look look;
+
+    @Mixin
+    private final OutsideOption outside = new OutsideOption();
+
+    /** As picocli makes it, which then fills in the fields. */
+    ViewCommand() {
+    }
+
+    /** A command whose options are taken one by one. */
+    ViewCommand(Main main) {
+        this.main = main;
+    }
+
+    @Override
+    public boolean take(String name, String value) {
+        switch (name) {
+            case SCENE -> scene = value;
+            case "--look" -> look = Values.constant(Look.values(), value);
+            default -> {
+                return picture.take(name, value) || stage.take(name, value) || outside.take(name);
+            }
+        }
+        return true;
+    }
+
+    @Override
+    public boolean isComplete() {
+        return true;                                          // without a scene the window is empty
+    }
+
+    @Override
+    public String name() {
+        return "view";
+    }
 
     @Override
     public Integer call() throws Failure {
@@ -41,7 +81,7 @@ final class ViewCommand implements Callable<Integer> {
         Picture asked = request.renderer(new Scene()).picture();
         Memory.require("a picture of " + asked.width() + 'x' + asked.height(),
             Picture.bytesNeeded(asked.width(), asked.height()) + SCREEN * asked.width() * asked.height());
-        Viewer.view(source(), request);
+        Viewer.view(source(), request, look);
         return ExitCode.DONE;
     }
 
@@ -50,10 +90,10 @@ final class ViewCommand implements Callable<Integer> {
             return SceneSource.NONE;
         }
         if (!scene.equals(SceneArgument.STREAM)) {
-            return SceneSource.file(Path.of(scene));
+            return SceneSource.file(Path.of(scene), outside.reach());
         }
         try {
-            return SceneSource.text(main.in().readAllBytes());
+            return SceneSource.text(main.in().readAllBytes(), outside.reach());
         } catch (IOException e) {
             throw new Failure(ExitCode.NO_SCENE, "simpleray: <stdin>: cannot be read: " + e.getMessage());
         }

@@ -1,108 +1,161 @@
 package simpleray.image;
 
-import java.io.ByteArrayOutputStream;
-import java.io.DataOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
-import java.nio.charset.StandardCharsets;
-import java.util.zip.CRC32;
-import java.util.zip.Deflater;
-import java.util.zip.DeflaterOutputStream;
+import java.util.HashMap;
+import java.util.Map;
+import simpleray.text.PngText;
 
 /**
- * Writes a picture as PNG: RGB, 8 bits each, row after row (W3C, "Portable Network Graphics Specification", second edition, 2003).
- * Why it is not left to ImageIO: docs/decisions/0002.
+ * Writes a picture as PNG while its rows are finished, in any order and by any threads: RGB, 8 bits each (W3C, "Portable Network Graphics
+ * Specification", second edition, 2003). Why it is not left to ImageIO: docs/decisions/0002. <em>Mutable</em>; any thread may call.
+ *
+ * <p>The picture is cut into strips. The thread that brings a strip's last row compresses the strip, and writes it if it is its turn. The
+ * bytes depend on the picture alone.
  */
 public final class PngWriter {
-    private static final byte[] SIGNATURE = {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
-    private static final int BITS = 8;
-    private static final int RGB = 2;
-    private static final int PIXEL = 3;
-    private static final int CHUNK = 1 << 16;
+    private static final int[] SIGNATURE = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
+    private static final int[] FORMAT = {8, 2, 0, 0, 0};      // bits, RGB, deflate, the five filters, not interlaced
+    private static final int[] ZLIB = {0x78, 0x01};           // deflate with a window of 32 KiB, compressed fast
+    private static final int[] LAST_BLOCK = {0x03, 0x00};     // of no bytes
+    /** A strip has this many rows, and more where they are shorter than the bytes that follow ask for. */
+    private static final int FEWEST_ROWS = 16;
+    private static final int FEWEST_BYTES = 1 << 16;
 
-    private PngWriter() {
+    private final Picture picture;
+    private final OutputStream out;
+    private final RowSink sink;                               // null for none
+    private final int stripRows;
+    private final Map<Integer, PngStrip> begun = new HashMap<>();
+    private final Map<Integer, Compressed> waiting = new HashMap<>();
+    private final Adler sum = new Adler();                    // of what is written
+    private int written;                                      // strips
+
+    /** A strip that is to be written. */
+    private record Compressed(PngStrip strip, PngChunk chunk) {
     }
 
     /**
-     * Writes a picture. The stream is flushed and stays open.
+     * Begins a file; nothing is written yet.
+     *
+     * @param picture the picture, whose rows may still be missing
+     * @param out where to; it stays open
+     */
+    public PngWriter(Picture picture, OutputStream out) {
+        this(picture, out, null);
+    }
+
+    /**
+     * Begins a file; nothing is written yet.
+     *
+     * @param picture the picture, whose rows may still be missing
+     * @param out where to; it stays open
+     * @param sink gets each row, too, on the thread that brings it; null for none
+     */
+    public PngWriter(Picture picture, OutputStream out, RowSink sink) {
+        this.picture = picture;
+        this.out = out;
+        this.sink = sink;
+        stripRows = stripRows(picture.width());
+    }
+
+    private static int stripRows(int width) {
+        return Math.max(FEWEST_ROWS, FEWEST_BYTES / PngStrip.bytes(width));
+    }
+
+    /**
+     * Estimates the memory that writing takes, beside the rows that are set in the picture.
+     *
+     * @param width the picture's width in pixels
+     * @param ahead how many rows are begun at most, of which the first is not taken
+     * @return the number of bytes
+     */
+    public static long bytesNeeded(int width, int ahead) {
+        return 2L * (ahead + 2 * stripRows(width)) * PngStrip.bytes(width);   // as they are and, at worst, no smaller compressed
+    }
+
+    /**
+     * Writes a whole picture. The stream is flushed and stays open.
      *
      * @param picture the picture, all its rows set
      * @param out where to
      * @throws IOException if it cannot be written
      */
     public static void write(Picture picture, OutputStream out) throws IOException {
-        out.write(SIGNATURE);
-        ByteArrayOutputStream header = new ByteArrayOutputStream();
-        DataOutputStream fields = new DataOutputStream(header);
-        fields.writeInt(picture.width());
-        fields.writeInt(picture.height());
-        fields.write(new byte[] {BITS, RGB, 0, 0, 0});        // deflate, the five filters, not interlaced
-        chunk(out, "IHDR", header.toByteArray(), header.size());
-        Deflater deflater = new Deflater();
-        try (OutputStream pixels = new DeflaterOutputStream(new ImageData(out), deflater)) {
-            byte[] above = new byte[PIXEL * picture.width()];
-            for (int y = 0; y < picture.height(); y++) {
-                byte[] row = picture.levels(y);
-                pixels.write(PngFilter.best(row, above));
-                above = row;
-            }
-        } finally {
-            deflater.end();
+        PngWriter writer = new PngWriter(picture, out);
+        for (int y = 0; y < picture.height(); y++) {
+            writer.row(y);
         }
-        chunk(out, "IEND", new byte[0], 0);
+        writer.end();
+    }
+
+    /**
+     * Takes a row of the picture, which may let go of it then. What can be written is written.
+     *
+     * @param y the row, 0 at the top; each once
+     * @throws IOException if it cannot be written; nothing more is then
+     * @throws IllegalStateException if the picture does not have the row
+     */
+    public void row(int y) throws IOException {
+        int i = y / stripRows;
+        PngStrip strip = strip(i);
+        if (strip.put(y % stripRows, picture, y, sink)) {
+            PngChunk chunk = new PngChunk("IDAT", ZLIB.length + strip.usualSize());
+            if (i == 0) {
+                chunk.put(ZLIB);
+            }
+            strip.compress(chunk);
+            write(i, new Compressed(strip, chunk.finished()));
+        }
+    }
+
+    private synchronized PngStrip strip(int i) {
+        return begun.computeIfAbsent(i, k -> new PngStrip(Math.min(stripRows, picture.height() - k * stripRows), picture.width()));
+    }
+
+    /** Writes a strip, if it is its turn, and those that waited for it. Others wait meanwhile: what they hold must not pile up. */
+    private synchronized void write(int i, Compressed strip) throws IOException {
+        begun.remove(i);
+        waiting.put(i, strip);
+        for (Compressed next = waiting.remove(written); next != null; next = waiting.remove(written)) {
+            if (written == 0) {
+                begin();
+            }
+            next.chunk.writeTo(out);
+            written++;
+            sum.append(next.strip.sum(), next.strip.length());
+        }
+    }
+
+    private void begin() throws IOException {
+        for (int b : SIGNATURE) {
+            out.write(b);
+        }
+        PngChunk header = new PngChunk("IHDR", 2 * Integer.BYTES + FORMAT.length);
+        header.putInt(picture.width());
+        header.putInt(picture.height());
+        header.put(FORMAT);
+        header.finished().writeTo(out);
+        for (PngText text : picture.texts()) {
+            PngChunk.of(text).writeTo(out);
+        }
+    }
+
+    /**
+     * Writes the end of the file, once all rows were taken, and flushes the stream.
+     *
+     * @throws IOException if it cannot be written
+     * @throws IllegalStateException if a row is missing
+     */
+    public synchronized void end() throws IOException {
+        if (written * stripRows < picture.height()) {
+            throw new IllegalStateException("rows of the picture are missing from row " + written * stripRows + " on");
+        }
+        PngChunk last = new PngChunk("IDAT", LAST_BLOCK.length + Integer.BYTES);
+        last.put(LAST_BLOCK);
+        last.putInt(sum.value());
+        last.finished().writeTo(out);
+        new PngChunk("IEND", 1).finished().writeTo(out);
         out.flush();
-    }
-
-    private static void chunk(OutputStream out, String type, byte[] data, int length) throws IOException {
-        byte[] name = type.getBytes(StandardCharsets.US_ASCII);
-        CRC32 crc = new CRC32();
-        crc.update(name);
-        crc.update(data, 0, length);
-        DataOutputStream fields = new DataOutputStream(out);
-        fields.writeInt(length);
-        fields.write(name);
-        fields.write(data, 0, length);
-        fields.writeInt((int) crc.getValue());
-    }
-
-    /** Cuts what is written to it into chunks of image data. */
-    private static final class ImageData extends OutputStream {
-        private final OutputStream out;
-        private final byte[] data = new byte[CHUNK];
-        private int length;
-
-        ImageData(OutputStream out) {
-            this.out = out;
-        }
-
-        @Override
-        public void write(int b) throws IOException {
-            write(new byte[] {(byte) b}, 0, 1);
-        }
-
-        @Override
-        public void write(byte[] bytes, int from, int count) throws IOException {
-            for (int done = 0; done < count;) {
-                int some = Math.min(count - done, CHUNK - length);
-                System.arraycopy(bytes, from + done, data, length, some);
-                length += some;
-                done += some;
-                if (length == CHUNK) {
-                    end();
-                }
-            }
-        }
-
-        @Override
-        public void close() throws IOException {
-            end();
-        }
-
-        private void end() throws IOException {
-            if (length > 0) {
-                chunk(out, "IDAT", data, length);
-                length = 0;
-            }
-        }
     }
 }

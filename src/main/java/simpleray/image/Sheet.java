@@ -48,8 +48,8 @@ public final class Sheet {
         cell = Math.max(pictureWidth, dot * PixelFont.width(longestWord));
         this.labels = labels.stream().map(label -> lines(label, cell / dot)).collect(Collectors.toUnmodifiableList());
         int mostLines = this.labels.stream().mapToInt(List::size).max().orElseThrow();
-        long wide = dot * MARGIN + labels.size() * (cell + (long) dot * MARGIN);
-        long high = (long) pictureHeight + dot * (MARGIN + GAP + mostLines * LINE - LINE + PixelFont.HEIGHT + MARGIN);
+        long wide = (long) dot * MARGIN + labels.size() * (cell + (long) dot * MARGIN);
+        long high = (long) pictureHeight + (long) dot * (MARGIN + GAP + mostLines * LINE - LINE + PixelFont.HEIGHT + MARGIN);
         if (Math.max(wide, high) > Picture.LONGEST_SIDE) {
             throw new IllegalArgumentException("a sheet of " + labels.size() + (labels.size() == 1 ? " picture" : " pictures") + " of "
                 + pictureWidth + 'x' + pictureHeight + " would have " + wide + 'x' + high

@@ -270,13 +270,7 @@ public final class Vector {
             return Math.sqrt(square);
         }
         double largest = Math.max(Math.abs(x), Math.max(Math.abs(y), Math.abs(z)));
-        if (largest == 0) {
-            return 0;
-        }
-        double a = x / largest;
-        double b = y / largest;
-        double c = z / largest;
-        return largest * Math.sqrt(a * a + b * b + c * c);
+        return !(largest > 0 && largest <= Double.MAX_VALUE) ? largest : largest * new Vector(x / largest, y / largest, z / largest).norm();
     }
 
     /** {@return the squared length; 0 or infinite for lengths below 1e-162 or above 1e154} */
@@ -286,15 +280,23 @@ public final class Vector {
 
     /** Gives this vector the length 1; a zero vector stays zero. */
     public void normalise() {
-        double largest = Math.max(Math.abs(x), Math.max(Math.abs(y), Math.abs(z)));
+        measureAndNormalise();
+    }
+
+    /** {@return the length, as {@link #norm} tells it, of this vector, which gets the length 1} A zero vector stays zero. */
+    public double measureAndNormalise() {
         double square = squarednorm();
-        if (largest > 0 && !(square >= LEAST_SQUARE && square <= MOST_SQUARE)) {
-            set(x / largest, y / largest, z / largest);
-        }
-        double length = norm();
-        if (length > 0) {
+        if (square >= LEAST_SQUARE && square <= MOST_SQUARE) {
+            double length = Math.sqrt(square);
             set(x / length, y / length, z / length);
+            return length;
         }
+        double largest = Math.max(Math.abs(x), Math.max(Math.abs(y), Math.abs(z)));
+        if (!(largest > 0 && largest <= Double.MAX_VALUE)) {
+            return largest;
+        }
+        set(x / largest, y / largest, z / largest);
+        return largest * measureAndNormalise();
     }
 
     /** {@return a new vector of the same direction and length 1; a zero vector of a zero vector} */

@@ -29,4 +29,16 @@ final class GridSampler implements Sampler {
         }
         colour.scale(1.0 / (n * n));
     }
+
+    @Override
+    public double[] points(int x, int y) {
+        double[] points = new double[2 * n * n];
+        for (int j = 0, k = 0; j < n; j++) {
+            for (int i = 0; i < n; i++) {
+                points[k++] = x + (i + 0.5) / n;
+                points[k++] = y + (j + 0.5) / n;
+            }
+        }
+        return points;
+    }
 }

@@ -11,7 +11,12 @@ public final class Progress {
 
     private final int rows;
     private final long start;
+    private final int known;
     private int finished;
+    private double worked;                                    // rows' worth of work, as far as it was told
+    private long held;                                        // nanoseconds
+    private long heldSince;
+    private boolean paused;
 
     /**
      * Begins to count.
@@ -20,13 +25,49 @@ public final class Progress {
      * @param start the time at which rendering began, in nanoseconds of {@link System#nanoTime}
      */
     public Progress(int rows, long start) {
+        this(rows, start, 0);
+    }
+
+    /**
+     * Begins to count.
+     *
+     * @param rows how many rows there are
+     * @param start the time at which rendering began, in nanoseconds of {@link System#nanoTime}
+     * @param known how many of them take no time, because they are known from before
+     */
+    public Progress(int rows, long start, int known) {
         this.rows = rows;
         this.start = start;
+        this.known = known;
     }
 
     /** Counts a finished row. */
     public synchronized void rowFinished() {
         finished++;
+    }
+
+    /**
+     * Counts work of which whole rows come later.
+     *
+     * @param share how many rows it is worth
+     */
+    public synchronized void worked(double share) {
+        worked += share;
+    }
+
+    /**
+     * Stops the clock, or lets it go on.
+     *
+     * @param hold whether to stop it
+     * @param now the time, in nanoseconds of {@link System#nanoTime}
+     */
+    public synchronized void pause(boolean hold, long now) {
+        if (hold && !paused) {
+            heldSince = now;
+        } else if (paused && !hold) {
+            held += now - heldSince;
+        }
+        paused = hold;
     }
 
     /** {@return how many rows there are} */
@@ -45,13 +86,13 @@ public final class Progress {
     }
 
     /**
-     * Tells the time since the start.
+     * Tells the time since the start, without pauses.
      *
      * @param now the time, in nanoseconds of {@link System#nanoTime}
      * @return seconds
      */
-    public double elapsed(long now) {
-        return seconds(start, now);
+    public synchronized double elapsed(long now) {
+        return seconds(start + held, paused ? heldSince : now);
     }
 
     /**
@@ -69,10 +110,11 @@ public final class Progress {
      * Estimates the time until the end.
      *
      * @param now the time, in nanoseconds of {@link System#nanoTime}
-     * @return seconds; NaN while no row is finished
+     * @return seconds; NaN while nothing is finished but known rows
      */
     public synchronized double left(long now) {
-        return finished == 0 ? Double.NaN : elapsed(now) * (rows - finished) / finished;
+        double done = Math.max(finished, worked) - known;
+        return done <= 0 ? Double.NaN : elapsed(now) * (rows - known - done) / done;
     }
 
     /**

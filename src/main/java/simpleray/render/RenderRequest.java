@@ -10,9 +10,33 @@ import simpleray.scene.SceneSettings;
  * @param settings what wins over the scene file; not to be changed
  * @param stage which picture is made
  * @param adaptive whether a pixel gets as many samples as it needs, whatever number the scene file says
+ * @param accel how the nearest object is found
  * @param threads how many threads work, 1 or more
+ * @param region the only piece of the picture that is made; null for all of it
  */
-public record RenderRequest(SceneSettings settings, Stage stage, boolean adaptive, int threads) {
+public record RenderRequest(SceneSettings settings, Stage stage, boolean adaptive, Accel accel, int threads, Region region) {
+    /**
+     * Leaves it to the program how the nearest object is found.
+     *
+     * @param settings what wins over the scene file; not to be changed
+     * @param stage which picture is made
+     * @param adaptive whether a pixel gets as many samples as it needs
+     * @param threads how many threads work, 1 or more
+     */
+    public RenderRequest(SceneSettings settings, Stage stage, boolean adaptive, int threads) {
+        this(settings, stage, adaptive, Accel.AUTO, threads, null);
+    }
+
+    /**
+     * Changes how the nearest object is found.
+     *
+     * @param other another way
+     * @return this request with that way
+     */
+    public RenderRequest with(Accel other) {
+        return new RenderRequest(settings, stage, adaptive, other, threads, region);
+    }
+
     /**
      * Changes the stage.
      *
@@ -20,7 +44,27 @@ public record RenderRequest(SceneSettings settings, Stage stage, boolean adaptiv
      * @return this request with that stage
      */
     public RenderRequest with(Stage other) {
-        return new RenderRequest(settings, other, adaptive, threads);
+        return new RenderRequest(settings, other, adaptive, accel, threads, region);
+    }
+
+    /**
+     * Changes the region.
+     *
+     * @param other the only piece of the picture that is made; null for all of it
+     * @return this request with that region
+     */
+    public RenderRequest with(Region other) {
+        return new RenderRequest(settings, stage, adaptive, accel, threads, other);
+    }
+
+    /**
+     * Changes what wins over the scene file.
+     *
+     * @param other other settings, not to be changed
+     * @return this request with those settings
+     */
+    public RenderRequest with(SceneSettings other) {
+        return new RenderRequest(other, stage, adaptive, accel, threads, region);
     }
 
     /**
@@ -31,10 +75,15 @@ public record RenderRequest(SceneSettings settings, Stage stage, boolean adaptiv
      * @throws IllegalArgumentException if something asked for is out of its range
      */
     public Renderer renderer(Scene scene) {
+        return renderer(scene, null);
+    }
+
+    /** Prepares the rendering of a scene of which something is ready, or null. */
+    Renderer renderer(Scene scene, PreparedScene prepared) {
         scene.settings = scene.settings.under(settings);
         SceneSettings all = scene.settings;
         int depth = all.depth == null ? RenderSettings.DEFAULT_DEPTH : all.depth;
         int samples = adaptive ? RenderSettings.ADAPTIVE : all.samples == null ? 1 : all.samples;
-        return new Renderer(scene, all.newCamera(), new RenderSettings(stage, depth, samples, threads));
+        return new Renderer(scene, all.newCamera(), new RenderSettings(stage, depth, samples, accel, threads, region), prepared);
     }
 }

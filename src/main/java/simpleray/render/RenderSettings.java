@@ -8,9 +8,11 @@ import simpleray.scene.SceneSettings;
  * @param stage which picture is made
  * @param depth the most reflections of a primary ray, 0 to {@link SceneSettings#MOST_DEPTH}
  * @param samples samples along each side of a pixel, 1 to {@link SceneSettings#MOST_SAMPLES}; {@link #ADAPTIVE} where they are needed
+ * @param accel how the nearest object is found; the picture does not depend on it
  * @param threads how many threads work, 1 or more; the picture does not depend on it
+ * @param region the only piece of the camera's picture that is made; null for all of it
  */
-public record RenderSettings(Stage stage, int depth, int samples, int threads) {
+public record RenderSettings(Stage stage, int depth, int samples, Accel accel, int threads, Region region) {
     /** The depth unless set. */
     public static final int DEFAULT_DEPTH = 10;
     /** In place of a number of samples: many where a pixel shows an edge, one elsewhere. */
@@ -22,7 +24,9 @@ public record RenderSettings(Stage stage, int depth, int samples, int threads) {
      * @param stage which picture is made
      * @param depth the most reflections of a primary ray, 0 to {@link SceneSettings#MOST_DEPTH}
      * @param samples samples along each side of a pixel, 1 to {@link SceneSettings#MOST_SAMPLES}; or {@link #ADAPTIVE}
+     * @param accel how the nearest object is found
      * @param threads how many threads work, 1 or more
+     * @param region the only piece that is made; null for all
      */
     public RenderSettings {
         if (depth < 0 || depth > SceneSettings.MOST_DEPTH) {
@@ -34,6 +38,18 @@ public record RenderSettings(Stage stage, int depth, int samples, int threads) {
         if (threads < 1) {
             throw new IllegalArgumentException("the number of threads must be 1 or more, and is " + threads);
         }
+    }
+
+    /**
+     * Leaves it to the program how the nearest object is found.
+     *
+     * @param stage which picture is made
+     * @param depth the most reflections of a primary ray, 0 to {@link SceneSettings#MOST_DEPTH}
+     * @param samples samples along each side of a pixel, 1 to {@link SceneSettings#MOST_SAMPLES}; or {@link #ADAPTIVE}
+     * @param threads how many threads work, 1 or more
+     */
+    public RenderSettings(Stage stage, int depth, int samples, int threads) {
+        this(stage, depth, samples, Accel.AUTO, threads, null);
     }
 
     /** Creates the defaults: the final stage, depth 10, one sample, a thread for each processor. */
@@ -48,6 +64,6 @@ public record RenderSettings(Stage stage, int depth, int samples, int threads) {
      * @return these settings with that stage
      */
     public RenderSettings with(Stage other) {
-        return new RenderSettings(other, depth, samples, threads);
+        return new RenderSettings(other, depth, samples, accel, threads, region);
     }
 }

@@ -3,12 +3,16 @@ package simpleray.render;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CancellationException;
-import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
+import java.util.concurrent.atomic.AtomicReferenceArray;
+import java.util.function.Consumer;
+import java.util.function.IntFunction;
+import simpleray.accel.Engine;
 import simpleray.image.Picture;
 import simpleray.math.Colour;
-import simpleray.scene.Scene;
 import simpleray.scene.Camera;
+import simpleray.scene.RayTracer;
+import simpleray.scene.Scene;
 
 /**
  * Renders one picture of a scene: rays for each pixel, rows handed out to threads (thesis, chapter 2). The scene and the camera must
@@ -18,12 +22,30 @@ public final class Renderer {
     /** Room for {@link RenderSettings#MOST_DEPTH} reflections within reflections, in bytes. */
     private static final long STACK = 8L << 20;
 
+    private static final int WARM_UP_RAYS = 50;
+    private static final int WARM_UP = 4000;
+    /** From so many pixels on a picture is worth it. */
+    private static final int LARGE = 250_000;
+    private static final double ACROSS = 0.7548776662466927;
+    private static final double DOWN = 0.5698402909980532;
+
+    private final Scene scene;
+    private final Camera camera;
     private final RenderSettings settings;
-    private final Sampler sampler;
+    private final AtomicReferenceArray<AdaptiveSampler.Row> firstPoints;   // null if sampling is not adaptive
+    private final PreparedScene prepared;                     // null if it is to be made ready for this rendering alone
+    private final Region region;                              // the piece of what the camera sees that the picture has
     private final Picture picture;
-    private final AtomicInteger nextRow = new AtomicInteger();
+    private final Rows rows;
     private final AtomicReference<Throwable> fault = new AtomicReference<>();
     private volatile boolean cancelled;
+    private volatile Engine ready;                            // kept for who asks about pixels
+    private volatile PassWork passes;                         // null unless it renders in passes
+    private boolean paused;
+    private final Object listing = new Object();
+    private Engine listed;
+    private IntFunction<double[]> known;                      // null if no row is
+    private Work work;
 
     /**
      * Prepares a rendering, to be used once.
@@ -31,13 +53,22 @@ public final class Renderer {
      * @param scene the scene
      * @param camera the camera, whose resolution is the picture's
      * @param settings all else
+     * @throws IllegalArgumentException if the picture does not have the region that the settings ask for
      */
     public Renderer(Scene scene, Camera camera, RenderSettings settings) {
+        this(scene, camera, settings, null);
+    }
+
+    Renderer(Scene scene, Camera camera, RenderSettings settings, PreparedScene prepared) {
         this.settings = settings;
-        Tracer tracer = new Tracer(scene, camera, settings);
-        sampler = settings.samples() == RenderSettings.ADAPTIVE ? new AdaptiveSampler(tracer, camera.width(), camera.height())
-            : new GridSampler(tracer, settings.samples());
-        picture = new Picture(camera.width(), camera.height());
+        this.scene = scene;
+        this.camera = camera;
+        this.prepared = prepared;
+        region = settings.region() == null ? Region.whole(camera.width(), camera.height()) : settings.region();
+        region.requireWithin(camera.width(), camera.height());
+        firstPoints = settings.samples() == RenderSettings.ADAPTIVE ? AdaptiveSampler.rows(camera.height(), settings.threads()) : null;
+        picture = new Picture(region.width(), region.height());
+        rows = new Rows(picture.height(), settings.threads());
     }
 
     /** {@return the picture; its rows are set one by one while it is rendered} */
@@ -46,17 +77,100 @@ public final class Renderer {
     }
 
     /**
+     * Makes rows known that need not be rendered. To be called before {@link #render}.
+     *
+     * @param rows gives the light of a row of this number, null for one that is not known; asked by several threads at once
+     */
+    public void know(IntFunction<double[]> rows) {
+        known = rows;
+    }
+
+    /** {@return what the rendering did; null until it has ended} */
+    public Work work() {
+        return work;
+    }
+
+    /**
+     * Makes what tells about pixels of this picture. It asks what the rendering has made ready, if it has begun.
+     *
+     * @return one for one thread, which can ask while the picture is rendered and afterwards
+     */
+    public Explainer explainer() {
+        return new Explainer(scene, camera, settings, ready);
+    }
+
+    /** {@return how many rows are begun at most, of which the first is not finished} */
+    public int rowsAhead() {
+        return Math.min(Rows.ahead(settings.threads()), picture.height());
+    }
+
+    /** {@return the memory that rendering takes at most, in bytes, if the listener lets go of each row} */
+    public long bytesNeeded() {
+        int kept = firstPoints == null ? 0 : firstPoints.length();   // and the neighbours of each thread's, which are mostly of these
+        return (long) (threads() + kept) * Picture.bytesNeeded(picture.width(), 1);
+    }
+
+    /**
      * Renders, and returns when all rows are finished and all threads have ended.
      *
-     * @param listener told of each row
-     * @return the picture, whole
+     * @param listener told of each row; what it throws ends the rendering, and is thrown here
+     * @return the picture, whole but for rows that the listener let go of
      * @throws CancellationException if it was cancelled, or the calling thread was interrupted
      */
     public Picture render(RenderListener listener) {
+        return renderBy(engine -> work(engine, listener));
+    }
+
+    /**
+     * Renders in passes, coarse ones first; the picture becomes the same. It may be {@linkplain #setPaused paused}. A row in which
+     * something throws is left out, and the others go on. Returns when all threads have ended.
+     *
+     * @param listener told of each piece; what it throws ends the rendering, and is thrown here
+     * @param first what is rendered before all else; null for nothing
+     * @param alone whether that is all
+     * @return the picture; rows that were left out, or not asked for as a whole, are not set
+     * @throws CancellationException if it was cancelled, or the calling thread was interrupted
+     * @throws IllegalArgumentException if the picture does not have that region, or is a region itself
+     */
+    public Picture renderPasses(PassListener listener, Region first, boolean alone) {
+        if (settings.region() != null) {
+            throw new IllegalArgumentException("a region is not rendered in passes");
+        }
+        if (first != null) {
+            first.requireWithin(picture.width(), picture.height());
+        }
+        PassWork own = new PassWork(picture, listener, first, alone, settings.samples() == RenderSettings.ADAPTIVE);
+        synchronized (this) {
+            passes = own;
+            own.setPaused(paused);
+        }
+        if (cancelled) {                                      // before there was anything to stop
+            own.stop();
+        }
+        return renderBy(engine -> own.run(many -> new Tracer(many ? listed(engine) : rays(engine), camera, settings), settings.samples()));
+    }
+
+    /**
+     * Holds a rendering in passes, or lets it go on; it is held within the time of a pixel. Any thread may call, also before it has begun.
+     *
+     * @param held whether it is to be held
+     */
+    public synchronized void setPaused(boolean held) {
+        paused = held;
+        if (passes != null) {
+            passes.setPaused(held);
+        }
+    }
+
+    private Picture renderBy(Consumer<Engine> work) {
+        long start = System.nanoTime();
+        Engine engine = settings.accel() == Accel.NONE ? null
+            : prepared == null ? new Engine(scene, camera.eye(), settings.threads()) : prepared.engine(camera.eye(), settings.threads());
+        ready = engine;
+        long begin = System.nanoTime();
         List<Thread> workers = new ArrayList<>();
-        int threads = Math.min(settings.threads(), picture.height());
-        for (int i = 0; i < threads; i++) {
-            Thread worker = new Thread(null, () -> work(listener), "simpleray-worker-" + (i + 1), STACK);
+        for (int i = 0; i < threads(); i++) {
+            Thread worker = new Thread(null, () -> run(work, engine), "simpleray-worker-" + (i + 1), STACK);
             worker.setDaemon(true);
             try {
                 worker.start();
@@ -69,6 +183,8 @@ public final class Renderer {
             workers.add(worker);
         }
         workers.forEach(this::await);
+        this.work = new Work(engine == null ? null : engine.tally(), Progress.seconds(start, begin),
+            Progress.seconds(begin, System.nanoTime()));
         if (fault.get() instanceof Error error) {
             throw error;
         }
@@ -81,9 +197,18 @@ public final class Renderer {
         return picture;
     }
 
+    private int threads() {
+        return Math.min(settings.threads(), picture.height());
+    }
+
     /** Ends the rendering soon; its threads end within the time of a pixel. Any thread may call, also before it has begun. */
     public void cancel() {
         cancelled = true;
+        rows.stop();
+        PassWork current = passes;
+        if (current != null) {
+            current.stop();
+        }
     }
 
     /** Waits for a thread; an interrupt of this one cancels, and is passed on. */
@@ -102,26 +227,78 @@ public final class Renderer {
         }
     }
 
-    private void work(RenderListener listener) {
-        try {
-            for (int y = nextRow.getAndIncrement(); y < picture.height() && !cancelled; y = nextRow.getAndIncrement()) {
-                double[] row = row(y);
-                if (!cancelled) {
-                    picture.setRow(y, row);
-                    listener.rowFinished(y);
-                }
+    /**
+     * Traces a few rays from all over the picture, and forgets what they see: the machine compiles what it has seen at work, and would have
+     * to begin again for what only the lower rows show. The points are those of Roberts, "The Unreasonable Effectiveness of Quasirandom
+     * Sequences", 2018.
+     */
+    private void warmUp(Engine engine) {
+        Tracer tracer = null;
+        Colour forgotten = new Colour();
+        for (int i = 1; i <= WARM_UP && !cancelled; i++) {
+            if (i % WARM_UP_RAYS == 1) {                      // what a new worker does only once is to be seen often
+                tracer = new Tracer(Tracer.rays(scene, engine, settings.stage(), false), camera, settings);
             }
+            tracer.trace(region.x() + i * ACROSS % 1 * picture.width(), region.y() + i * DOWN % 1 * picture.height(), forgotten);
+        }
+    }
+
+    /** {@return what finds the colours of rays, for one thread} */
+    private RayTracer rays(Engine engine) {
+        return Tracer.rays(scene, engine, settings.stage(), true);
+    }
+
+    /** {@return the same, with all that makes many rays faster; the first thread that asks makes it} */
+    private RayTracer listed(Engine engine) {
+        if (engine == null || cancelled) {
+            return rays(engine);
+        }
+        synchronized (listing) {
+            if (listed == null) {
+                listed = engine.listed();
+            }
+            return rays(listed);
+        }
+    }
+
+    private Sampler sampler(Tracer tracer) {
+        return firstPoints == null ? new GridSampler(tracer, settings.samples())
+            : new AdaptiveSampler(tracer, camera.width(), camera.height(), region, firstPoints);
+    }
+
+    private void run(Consumer<Engine> work, Engine engine) {
+        try {
+            work.accept(engine);
         } catch (RuntimeException | Error e) {                // reported by render(), after all threads have ended
             fault.compareAndSet(null, e);
             cancel();
         }
     }
 
-    private double[] row(int y) {
-        double[] rgb = new double[3 * picture.width()];
+    private void work(Engine engine, RenderListener listener) {
+        if (engine != null && (long) picture.width() * picture.height() >= LARGE) {
+            warmUp(engine);
+        }
+        Sampler own = sampler(new Tracer(rays(engine), camera, settings));
+        double[] spare = null;                                // a row that was let go of
+        for (int y = rows.next(); y >= 0 && !cancelled; y = rows.next()) {
+            double[] kept = known == null ? null : known.apply(y);
+            double[] row = kept == null ? row(y, own, spare == null ? new double[3 * picture.width()] : spare) : kept;
+            if (!cancelled) {
+                picture.setRow(y, row);
+                listener.rowFinished(y);
+                rows.finished(y);
+                spare = kept == null && picture.row(y) == null ? row : null;
+            }
+        }
+    }
+
+    private double[] row(int y, Sampler own, double[] rgb) {
         Colour colour = new Colour();
+        int left = region.x();
+        int top = region.y();
         for (int x = 0; x < picture.width() && !cancelled; x++) {
-            sampler.pixel(x, y, colour);
+            own.pixel(left + x, top + y, colour);
             rgb[3 * x] = colour.r;
             rgb[3 * x + 1] = colour.g;
             rgb[3 * x + 2] = colour.b;

@@ -1,6 +1,7 @@
 package simpleray.scene;
 
 import java.io.IOException;
+import simpleray.math.Point;
 import simpleray.math.Ray;
 import simpleray.text.SceneWriter;
 
@@ -12,6 +13,9 @@ public interface Camera {
     /** {@return the height of the picture in pixels} */
     int height();
 
+    /** {@return the point from which all its rays start; a new one} */
+    Point eye();
+
     /**
      * Finds the ray through a point of the picture.
      *
@@ -19,7 +23,20 @@ public interface Camera {
      * @param py pixels from the top edge: the centre of the top row is at 0.5
      * @return a new ray of unit direction
      */
-    Ray through(double px, double py);
+    default Ray through(double px, double py) {
+        Ray ray = new Ray();
+        through(px, py, ray);
+        return ray;
+    }
+
+    /**
+     * Finds the ray through a point of the picture.
+     *
+     * @param px pixels from the left edge: the centre of the left column is at 0.5
+     * @param py pixels from the top edge: the centre of the top row is at 0.5
+     * @param ray gets the ray; its direction is of unit length
+     */
+    void through(double px, double py, Ray ray);
 
     /**
      * Writes the camera for POV-Ray 3.7, whole.

@@ -169,10 +169,9 @@ public final class Cylinder extends Object {
         if (start.equals(end)) {
             is.rejectGroup("two ends that differ");
         }
+        Lengths.check(is, "ends", start.x, start.y, start.z, end.x, end.y, end.z);
         radius = is.readDouble("radius");
-        if (radius <= 0) {
-            is.reject("radius above 0");
-        }
+        Lengths.checkRadius(is, radius);
         readMaterial(is);
     }
 

@@ -14,6 +14,10 @@ import simpleray.text.SceneWriter;
  * @param <T> what is listed
  */
 final class KindTable<T extends SceneElement> {
+    /** For so many things there is room at first, and then for so many times as many as there are. */
+    private static final int FIRST_ROOM = 1000;
+    private static final int MORE_ROOM = 4;
+
     private final String what;
     private final List<Line<T>> lines = new ArrayList<>();
 
@@ -35,24 +39,43 @@ final class KindTable<T extends SceneElement> {
         return this;
     }
 
-    /** Reads n things, each by its code and then by itself. The list grows as they come: n may be a lie. */
-    List<T> readAll(SceneReader is, int n) throws IOException {
+    /** Reads n things, each by its code and then by itself, and notes their lines. The list grows as they come: n may be a lie. */
+    List<T> readAll(SceneReader is, int n, Lines places) throws IOException {
+        ArrayList<T> all = new ArrayList<>();
+        readAll(is, n, places, all);
+        return all;
+    }
+
+    /** Reads n things into a list, which holds those before the first that cannot be read. */
+    @SuppressWarnings("NonApiType")                            // no other list can be told how much room it will need
+    void readAll(SceneReader is, int n, Lines places, ArrayList<T> all) throws IOException {
         String known = lines.stream().map(line -> line.code + " " + line.name).collect(Collectors.joining(", "));
-        String field = "type (" + known + "; " + n + ' ' + what + "s announced)";
-        List<T> all = new ArrayList<>();
+        String field = "type (" + known + "; " + counted(n) + " announced)";
+        int room = 0;
         for (int i = 1; i <= n; i++) {
+            if (i > room) {
+                room = (int) Math.min(n, Math.max(FIRST_ROOM, (long) MORE_ROOM * room));
+                all.ensureCapacity(room);
+            }
             is.enter(what, i);
             T thing = create(is, field);
+            places.add(is.line());
             thing.read(is);
             all.add(thing);
             is.leave();
         }
-        return all;
+        places.trim();
+    }
+
+    /** {@return a number of things, for messages} */
+    String counted(int n) {
+        return n + " " + what + (n == 1 ? "" : "s");
     }
 
     private T create(SceneReader is, String field) throws IOException {
-        int code = is.readInt(field, 0, Integer.MAX_VALUE);
-        for (Line<T> line : lines) {
+        int code = is.readInt(field, Integer.MIN_VALUE, Integer.MAX_VALUE);
+        for (int i = 0; i < lines.size(); i++) {
+            Line<T> line = lines.get(i);
             if (line.code == code) {
                 return line.maker.get();
             }
@@ -73,5 +96,11 @@ final class KindTable<T extends SceneElement> {
     private int code(T thing) {
         return lines.stream().filter(line -> line.type == thing.getClass()).findFirst()
             .orElseThrow(() -> new IllegalArgumentException("a scene file has no code for " + thing.getClass().getName())).code;
+    }
+
+    /** {@return what kind of thing it is, as messages say it} One that no scene file knows is called by its class. */
+    String name(T thing) {
+        return lines.stream().filter(line -> line.type == thing.getClass()).map(Line::name).findFirst()
+            .orElseGet(() -> thing.getClass().getSimpleName());
     }
 }

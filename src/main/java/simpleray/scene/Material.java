@@ -47,7 +47,7 @@ public final class Material {
 
     /** {@return the most reflections that follow a hit of this surface: "depends on the shininess" (thesis, chapter 7)} */
     public int reflections() {
-        return (int) Math.floor(shininess);
+        return (int) shininess;
     }
 
     /**
@@ -74,7 +74,7 @@ public final class Material {
     }
 
     /**
-     * Reads the three colours and the shininess, and the transmission if there is one.
+     * Reads the three colours and the shininess, and the transmission if there is one; without it nothing passes through.
      *
      * @param is where from
      * @throws IOException if they are not there, or one is below 0
@@ -87,6 +87,8 @@ public final class Material {
         if (shininess < 0) {
             is.reject("shininess of 0 or more");
         }
+        transmission.reset();
+        index = 1;
         if (is.takeKeyword(TRANSMIT) != null) {
             readColour(is, "transmitted", transmission);
             index = is.readDouble("refractive index");
@@ -116,6 +118,20 @@ public final class Material {
             os.writeString("  ");
             os.writeDouble(index);
         }
+    }
+
+    /** {@return whether another material is the same to the bit} */
+    boolean isSame(Material m) {
+        return isSame(ambient, m.ambient) && isSame(diffuse, m.diffuse) && isSame(specular, m.specular)
+            && isSame(shininess, m.shininess) && isSame(transmission, m.transmission) && isSame(index, m.index);
+    }
+
+    private static boolean isSame(Colour c, Colour d) {
+        return isSame(c.r, d.r) && isSame(c.g, d.g) && isSame(c.b, d.b);
+    }
+
+    private static boolean isSame(double c, double d) {
+        return Double.doubleToRawLongBits(c) == Double.doubleToRawLongBits(d);
     }
 
     /** {@return whether a file says anything of transmission} */

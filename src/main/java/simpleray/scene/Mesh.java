@@ -1,11 +1,7 @@
 package simpleray.scene;
 
 import java.io.IOException;
-import java.nio.file.FileSystemException;
-import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
-import java.util.ArrayList;
-import java.util.List;
 import simpleray.math.Bounds;
 import simpleray.math.Point;
 import simpleray.math.Ray;
@@ -115,7 +111,7 @@ public final class Mesh extends Object {
 
     /** Finds the surface at a hit: the triangle is found again, for one ray finds one triangle however often it looks. */
     @Override
-    Surface surface(Ray ray, double t, Point point) {
+    public Surface surface(Ray ray, double t, Point point) {
         TriangleProbe probe = probe(ray);
         Vector outward = outward(probe.triangle);
         double[] n = new double[3];
@@ -186,42 +182,20 @@ public final class Mesh extends Object {
     @Override
     public void read(SceneReader is) throws IOException {
         file = is.readQuoted("OBJ file");
-        tree = load(is);
+        tree = MeshFiles.of(is).load(is, file);
+        is.group();
         is.enter("offset");
         offset = new Point();
         offset.read(is);
         is.leave();
+        Lengths.check(is, "offset", offset.x, offset.y, offset.z);
         scale = is.readDouble("scale");
         if (scale == 0) {
             is.reject("scale other than 0");
+        } else if (Math.abs(scale) > Lengths.MOST_SCALE) {
+            is.reject("scale from -1e60 to 1e60");
         }
         readMaterial(is);
-    }
-
-    private TriangleTree load(SceneReader is) throws IOException {
-        TriangleTree read = new TriangleTree(Triangles.NONE);
-        try {
-            Path path = is.resolve(file);
-            Path key = path.toAbsolutePath().normalize();
-            if (is.loaded.get(key) instanceof TriangleTree known) {
-                return known;
-            }
-            List<Problem> problems = new ArrayList<>();
-            try {
-                read = new TriangleTree(ObjPolygons.read(path, problems::add));
-            } catch (SceneFormatException e) {
-                problems.addAll(e.problems());
-            }
-            is.loaded.put(key, read);                         // with errors too: they are reported once
-            for (Problem problem : problems) {
-                is.report(problem);
-            }
-        } catch (FileSystemException e) {
-            is.reject("OBJ file that can be read (" + e.getFile() + ": " + (e.getReason() == null ? e : e.getReason()) + ')');
-        } catch (InvalidPathException e) {
-            is.reject("OBJ file that can be read (" + e.getReason() + ')');
-        }
-        return read;
     }
 
     @Override

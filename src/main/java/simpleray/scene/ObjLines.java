@@ -6,6 +6,7 @@ import java.io.Reader;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import simpleray.text.Found;
 import simpleray.text.Numbers;
 import simpleray.text.Problem;
 import simpleray.text.SceneFormatException;
@@ -22,11 +23,20 @@ final class ObjLines extends BufferedReader {
     private static final char CONTINUED = '\\';
     private static final char BYTE_ORDER_MARK = '\uFEFF';
     private static final int LEAST_CORNERS = 3;
+    /** A line, with those it continues: far more than a polygon needs, far less than fills the memory. */
+    private static final int MOST_CHARACTERS = 1 << 20;
+    private static final int SHOWN = 512;
     private static final String END = "the end of the ";
 
     private final String file;
     private final List<Piece> pieces = new ArrayList<>();
+    private final StringBuilder joined = new StringBuilder();
+    private final StringBuilder physical = new StringBuilder();
+    private final char[] buffer = new char[1 << 13];
+    private int next;
+    private int filled;
     private String line = "";
+    private boolean afterReturn;      // the last line ended with CR: a LF belongs to it
     private int lineNumber;
     private int at;                   // behind the latest word of the line
     private int wordAt;
@@ -91,7 +101,8 @@ final class ObjLines extends BufferedReader {
 
     /** Puts the next line and those it continues together, without comments; returns false at the end of the file. */
     private boolean join() throws IOException {
-        String next = super.readLine();
+        joined.setLength(0);
+        String next = physicalLine();
         if (next == null) {
             return false;
         }
@@ -100,18 +111,59 @@ final class ObjLines extends BufferedReader {
         if (lineNumber == 0 && !next.isEmpty() && next.charAt(0) == BYTE_ORDER_MARK) {
             next = next.substring(1);
         }
-        line = "";
         boolean continued = append(next);
         while (continued) {
-            next = super.readLine();
+            next = physicalLine();
             continued = next != null && append(next);
         }
+        line = joined.toString();
         return true;
+    }
+
+    /** Reads a line of the file as {@link BufferedReader#readLine} does, but none that is longer than makes sense. */
+    private String physicalLine() throws IOException {
+        physical.setLength(0);
+        boolean some = false;
+        while (next < filled || more()) {
+            if (afterReturn && buffer[next] == '\n') {
+                afterReturn = false;
+                next++;
+                continue;
+            }
+            afterReturn = false;
+            some = true;
+            int end = next;
+            while (end < filled && buffer[end] != '\n' && buffer[end] != '\r') {
+                end++;
+            }
+            physical.append(buffer, next, end - next);
+            if (physical.length() + joined.length() > MOST_CHARACTERS) {
+                throw tooLong();
+            }
+            next = end;
+            if (end < filled) {
+                afterReturn = buffer[next++] == '\r';
+                return physical.toString();
+            }
+        }
+        return some ? physical.toString() : null;
+    }
+
+    private boolean more() throws IOException {
+        next = 0;
+        filled = read(buffer, 0, buffer.length);
+        return filled > 0;
+    }
+
+    private SceneFormatException tooLong() {
+        String wanted = "expected a line of at most " + MOST_CHARACTERS + " characters, found a longer one";
+        return new SceneFormatException(List.of(new Problem(file, lineNumber + 1, 1, true, wanted,
+            physical.substring(0, Math.min(physical.length(), SHOWN)))), false);
     }
 
     /** Appends a line of the file; returns whether it continues on the next one. */
     private boolean append(String source) {
-        pieces.add(new Piece(line.length(), ++lineNumber, source));
+        pieces.add(new Piece(joined.length(), ++lineNumber, source));
         int comment = source.indexOf(COMMENT);
         String text = comment < 0 ? source : source.substring(0, comment);
         int end = text.length();
@@ -119,7 +171,7 @@ final class ObjLines extends BufferedReader {
             end--;
         }
         boolean continued = end > 0 && text.charAt(end - 1) == CONTINUED;
-        line += continued ? text.substring(0, end - 1) + ' ' : text.substring(0, end);
+        joined.append(text, 0, continued ? end - 1 : end).append(continued ? " " : "");
         return continued;
     }
 
@@ -146,7 +198,8 @@ final class ObjLines extends BufferedReader {
         for (char axis = 'x'; axis <= 'z'; axis++) {
             String word = word();
             if (word == null || Float.isNaN(Numbers.parseFloat(word))) {
-                throw error(owner + "'s " + axis, found(word));
+                boolean large = word != null && !Double.isNaN(Numbers.parseDouble(word));
+                throw error(owner + "'s " + axis, found(word) + (large ? " (beyond 3.4e38, the largest coordinate)" : ""));
             }
             clean.append(' ').append(word);
         }
@@ -199,7 +252,7 @@ final class ObjLines extends BufferedReader {
     }
 
     private static String found(String word) {
-        return word == null ? END + "line" : Problem.quoted(word);
+        return word == null ? END + "line" : Found.word(word);
     }
 
     private SceneFormatException error(String wanted, String found) {

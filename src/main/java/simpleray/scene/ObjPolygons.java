@@ -5,6 +5,7 @@ import de.javagl.obj.FloatTuple;
 import de.javagl.obj.ObjFace;
 import de.javagl.obj.ObjReader;
 import java.io.IOException;
+import java.io.InputStream;
 import java.io.InputStreamReader;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.AccessDeniedException;
@@ -15,6 +16,7 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.function.Consumer;
 import simpleray.text.Problem;
+import simpleray.text.SceneBytes;
 
 /**
  * Takes the polygons of a Wavefront OBJ as they are read, and makes triangles of them: each polygon a fan from its first vertex.
@@ -39,26 +41,43 @@ final class ObjPolygons extends AbstractWritableObj {
         this.lines = lines;
     }
 
+    /** Reads a file of which nobody asks for the digest. */
+    static Triangles read(Path path, Consumer<Problem> warnings) throws IOException {
+        return read(path, warnings, digest -> { });
+    }
+
     /**
      * Reads a file.
      *
      * @param path the file; its path as given stands in messages
      * @param warnings told of each warning
+     * @param digest told of the file's SHA-256
      * @return its triangles, at least one
      * @throws simpleray.text.SceneFormatException if it is no OBJ with polygons
      * @throws FileSystemException if it cannot be opened, with a reason that people understand
      * @throws IOException if it cannot be read
      */
-    static Triangles read(Path path, Consumer<Problem> warnings) throws IOException {
+    static Triangles read(Path path, Consumer<Problem> warnings, Consumer<String> digest) throws IOException {
         if (Files.isDirectory(path)) {
             throw new FileSystemException(path.toString(), null, "is a folder");
         }
-        try (ObjLines lines = new ObjLines(new InputStreamReader(Files.newInputStream(path), StandardCharsets.UTF_8), path.toString())) {
-            return ObjReader.read(lines, new ObjPolygons(lines)).triangles(warnings);
+        if (Files.exists(path) && !Files.isRegularFile(path)) {   // a pipe or a device may never end
+            throw new FileSystemException(path.toString(), null, "is no regular file");
+        }
+        try (SceneBytes in = new SceneBytes(Files.newInputStream(path), 0)) {
+            Triangles read = read(in, path.toString(), warnings);
+            digest.accept(in.sha256());
+            return read;
         } catch (NoSuchFileException | AccessDeniedException e) {
             String reason = e instanceof NoSuchFileException ? "no such file" : "may not be read";
             throw (IOException) new FileSystemException(path.toString(), null, reason).initCause(e);
         }
+    }
+
+    /** Reads the text of an OBJ; messages call it by this name. */
+    static Triangles read(InputStream in, String name, Consumer<Problem> warnings) throws IOException {
+        ObjLines lines = new ObjLines(new InputStreamReader(in, StandardCharsets.UTF_8), name);
+        return ObjReader.read(lines, new ObjPolygons(lines)).triangles(warnings);
     }
 
     @Override

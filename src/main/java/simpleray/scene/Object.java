@@ -15,7 +15,7 @@ public abstract class Object implements SceneElement {
     /** Hits at this t or below are no hits, so that a ray does not hit the surface it starts on. */
     public static final double THRESHOLD = 1e-7;
 
-    /** What the surface is made of; kept, not copied. */
+    /** What the surface is made of; kept, not copied, and perhaps another object's too. */
     public Material surfaceMaterial;
 
     /**
@@ -60,7 +60,7 @@ public abstract class Object implements SceneElement {
      * @param point the point there
      * @return the surface: its normals, and through them which side the ray comes from
      */
-    Surface surface(Ray ray, double t, Point point) {
+    public Surface surface(Ray ray, double t, Point point) {
         Vector normal = normal(point);
         return new Surface(normal, normal);
     }
@@ -109,13 +109,12 @@ public abstract class Object implements SceneElement {
     }
 
     /**
-     * Reads a material of the object's own.
+     * Reads the object's material, which is that of an earlier object if they are equal.
      *
      * @param is where from
      * @throws IOException if it is not there
      */
     protected final void readMaterial(SceneReader is) throws IOException {
-        surfaceMaterial = new Material();
-        surfaceMaterial.read(is);
+        surfaceMaterial = is.kept(Materials.class, Materials::new).read(is);
     }
 }

@@ -8,14 +8,17 @@ import simpleray.text.SceneWriter;
 
 /** A viewer that stands anywhere and looks anywhere. <em>Constant.</em> Up is +y, or -z if the view is along y. */
 public final class PerspectiveCamera implements Camera {
-    private static final double FULL_TURN = 360;
+    private static final double HALF_TURN = 180;
+    private static final double FAR = 1e100;
 
     private final Point eye;
     private final int width;
     private final int height;
-    private final Vector forward;
+    private final Vector forward;                             // from the eye to the middle of the window
     private final Vector right;
-    private final Vector down;
+    private final Vector up;
+    private final double halfWidth;                           // of the window, which lies where it looks at
+    private final double halfHeight;
 
     /**
      * Creates a camera. Pixels are square: the horizontal field of view follows from the vertical one.
@@ -34,10 +37,23 @@ public final class PerspectiveCamera implements Camera {
         boolean alongY = forward.x == 0 && forward.z == 0;
         right = Vector.cross(forward, alongY ? new Vector(0, 0, -1) : new Vector(0, 1, 0));
         right.normalise();
-        down = Vector.cross(forward, right);
-        double pixel = 2 * StrictMath.tan(pose.fov() * StrictMath.PI / FULL_TURN) / height;   // at distance 1 of the eye
-        right.scale(pixel);
-        down.scale(pixel);
+        up = Vector.cross(right, forward);
+        double distance = pose.distance();
+        double scale = distance > 1 / FAR && distance < FAR ? distance : 1;
+        forward.scale(scale);
+        halfHeight = halfHeight(scale, pose.fov());
+        halfWidth = halfHeight * width / height;
+    }
+
+    /**
+     * {@return half the height of what is seen at a distance} The tangent of half an angle is written such that it is 1 for 90 degrees,
+     * which the tangent of a rounded quarter of pi is not.
+     */
+    static double halfHeight(double distance, double fov) {
+        double angle = StrictMath.toRadians(fov);
+        double sin = StrictMath.sin(angle);
+        double cos = StrictMath.cos(angle);
+        return distance * (cos >= 0 ? sin / (1 + cos) : (1 - cos) / sin);
     }
 
     /**
@@ -59,16 +75,28 @@ public final class PerspectiveCamera implements Camera {
 
         /** {@return what is wrong with the pose; null if nothing is} */
         public String fault() {
-            if (!(fov > 0 && fov < FULL_TURN / 2)) {
+            if (!(fov > 0 && fov < HALF_TURN)) {
                 return FOV;
             }
             return ex == lx && ey == ly && ez == lz ? LOOK_AT : null;
+        }
+
+        /** {@return how far the point it looks at is from the eye} */
+        double distance() {
+            return StrictMath.hypot(StrictMath.hypot(lx - ex, ly - ey), lz - ez);
         }
     }
 
     @Override
     public void writePov(SceneWriter os) throws IOException {
-        Pov.camera(os, eye, forward, Vector.scale(right, width), Vector.scale(down, -height));
+        double unit = 1 / forward.norm();
+        Pov.camera(os, eye, Vector.scale(forward, unit), Vector.scale(right, 2 * halfWidth * unit),
+            Vector.scale(up, 2 * halfHeight * unit));
+    }
+
+    @Override
+    public Point eye() {
+        return new Point(eye);
     }
 
     @Override
@@ -82,11 +110,12 @@ public final class PerspectiveCamera implements Camera {
     }
 
     @Override
-    public Ray through(double px, double py) {
-        Vector direction = Vector.scale(right, px - width / 2.0);
-        direction.add(Vector.scale(down, py - height / 2.0));
-        direction.add(forward);
-        direction.normalise();
-        return new Ray(new Point(eye), direction);
+    public void through(double px, double py, Ray ray) {
+        // in the very order of SimpleCamera: looking along -z from the z axis it finds the same rays, bit for bit
+        double x = -halfWidth + px * (2 * halfWidth) / width;
+        double y = halfHeight - py * (2 * halfHeight) / height;
+        ray.origin.copy(eye);
+        ray.direction.set(right.x * x + up.x * y + forward.x, right.y * x + up.y * y + forward.y, right.z * x + up.z * y + forward.z);
+        ray.direction.normalise();
     }
 }

@@ -38,11 +38,18 @@ public final class Plane extends Object {
     /** {@inheritDoc} A ray along the plane misses it. The equation is t = (c - O·N) / (D·N) of the thesis's chapter 3. */
     @Override
     public double intersect(Ray ray) {
-        double slope = normal.dot(ray.direction);
-        if (slope == 0) {
-            return MISS;
-        }
-        double t = (constant - normal.dot(ray.origin)) / slope;
+        return hit(constant - normal.dot(ray.origin), normal.dot(ray.direction));
+    }
+
+    /**
+     * Finds the hit of a ray on a plane.
+     *
+     * @param height how far the plane is above the ray's origin, c - O·N
+     * @param slope how much of it the ray climbs, D·N
+     * @return t of the hit, or {@link #MISS}
+     */
+    public static double hit(double height, double slope) {
+        double t = height / slope;                            // along the plane it is infinite, or no number
         return t > THRESHOLD && t < Double.POSITIVE_INFINITY ? t : MISS;
     }
 
@@ -75,7 +82,11 @@ public final class Plane extends Object {
     public void read(SceneReader is) throws IOException {
         normal = new Vector();
         Directions.read(is, "normal", normal);
+        Lengths.check(is, "normal", normal.x, normal.y, normal.z);
         constant = is.readDouble("constant");
+        if (Math.abs(constant) > Lengths.MOST) {
+            is.reject("constant from -1e100 to 1e100");
+        }
         readMaterial(is);
     }
 

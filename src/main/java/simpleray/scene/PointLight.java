@@ -29,9 +29,7 @@ public final class PointLight extends Light {
     @Override
     public double towards(Point p, Vector l) {
         Vector.subtract(l, origin, p);
-        double distance = l.norm();
-        l.normalise();
-        return distance;
+        return l.measureAndNormalise();
     }
 
     @Override

@@ -4,9 +4,9 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
-import java.util.Set;
 import simpleray.math.Colour;
 import simpleray.math.Point;
+import simpleray.math.Powers;
 import simpleray.math.Ray;
 import simpleray.math.Vector;
 import simpleray.text.SceneReader;
@@ -16,7 +16,7 @@ import simpleray.text.SceneWriter;
  * Objects, lights and ambient light, and the colour that a ray sees among them (thesis, chapters 4 and 5; Whitted, "An improved
  * illumination model for shaded display", 1980). <em>Mutable</em> until it is rendered.
  */
-public final class Scene {
+public final class Scene implements RayTracer {
     /** Reading ends at this many errors. */
     private static final int MOST_ERRORS = 20;
     /** The ambient light that falls on every object alike, GA. */
@@ -28,6 +28,8 @@ public final class Scene {
     private final List<Light> lights = new ArrayList<>();
     private int numberObjects;
     private int numberLights;
+    private Lines objectLines = new Lines();
+    private Lines lightLines = new Lines();
 
     /** Creates an empty, dark scene. */
     public Scene() {
@@ -70,6 +72,7 @@ public final class Scene {
      */
     public void setObject(int i, Object o) {
         put(objects, Objects.checkIndex(i, numberObjects), o);
+        objectLines.forget(i);
     }
 
     /**
@@ -81,6 +84,7 @@ public final class Scene {
      */
     public void setLight(int i, Light o) {
         put(lights, Objects.checkIndex(i, numberLights), o);
+        lightLines.forget(i);
     }
 
     /**
@@ -103,6 +107,16 @@ public final class Scene {
         return lights.get(i);
     }
 
+    /** {@return the line of the scene's file on which the object at a place from 0 begins; 0 if it is from no file} */
+    int objectLine(int i) {
+        return objectLines.get(i);
+    }
+
+    /** {@return the line of the scene's file on which the light at a place from 0 begins; 0 if it is from no file} */
+    int lightLine(int i) {
+        return lightLines.get(i);
+    }
+
     /**
      * Finds the colour that a ray sees. Any thread may call.
      *
@@ -115,15 +129,8 @@ public final class Scene {
         return intersect(ray, colour, depth, Terms.ALL);
     }
 
-    /**
-     * Finds parts of the colour that a ray sees. Any thread may call.
-     *
-     * @param ray the ray, of unit direction
-     * @param colour gets the colour, linear and not clamped; the background if nothing is hit
-     * @param depth how many reflections and refractions may follow, 0 or more
-     * @param terms which parts are wanted
-     * @return whether an object is hit
-     */
+    /** {@inheritDoc} Any thread may call. */
+    @Override
     public boolean intersect(Ray ray, Colour colour, int depth, Terms terms) {
         colour.reset();
         Object nearest = null;
@@ -146,16 +153,20 @@ public final class Scene {
         Point point = ray.getPointAt(distance);
         Surface surface = nearest.surface(ray, distance, point);
         Vector normal = surface.towards(ray.direction);       // both sides of a surface are lit and mirror alike
+        double height = Optics.lift(point, normal, distance);
         addLocal(colour, material, point, normal, Vector.negate(ray.direction), terms);
         int bounces = Math.min(depth, material.reflections());
         if (terms.reflections() && bounces > 0) {
             boolean enters = surface.isEnteredBy(ray.direction);
-            Vector bent = material.transmission.isBlack() ? null
-                : Optics.refracted(ray.direction, normal, enters ? 1 / material.index : material.index);
-            Colour mirror = bent == null ? Colour.add(material.specular, material.transmission) : material.specular;
-            addSeen(colour, mirror, point, Optics.mirrored(ray.direction, normal), bounces - 1, terms);
-            if (bent != null) {
-                addSeen(colour, material.transmission, point, bent, bounces - 1, terms);
+            Vector bent = new Vector();
+            boolean passes = !material.transmission.isBlack()
+                && Optics.refract(bent, ray.direction, normal, enters ? 1 / material.index : material.index);
+            Colour share = passes ? material.specular : Colour.add(material.specular, material.transmission);
+            Vector mirror = new Vector();
+            Optics.mirror(mirror, ray.direction, normal);
+            addSeen(colour, share, point, mirror, bounces - 1, terms);
+            if (passes) {
+                addSeen(colour, material.transmission, Optics.below(point, normal, height), bent, bounces - 1, terms);
             }
         }
         return true;
@@ -194,11 +205,11 @@ public final class Scene {
                 scattered.scale(facing);
                 diffuse.add(scattered);
             }
-            if (terms.specular()) {
+            if (terms.specular() && !material.specular.isBlack()) {
                 Vector halfway = Vector.add(towards, view);
                 halfway.normalise();
                 Colour highlight = Colour.mult(material.specular, light);
-                highlight.scale(StrictMath.pow(Math.max(0, normal.dot(halfway)), material.shininess));
+                highlight.scale(Powers.power(Math.min(1, Math.max(0, normal.dot(halfway))), material.shininess));
                 specular.add(highlight);
             }
         }
@@ -250,24 +261,34 @@ public final class Scene {
     }
 
     /**
-     * Reads a scene to the end of the file. It takes the place of what was here only if all of it is right.
+     * Reads a scene to the end of the file. It takes the place of what was here only if all of it is right. Objects whose materials are
+     * equal refer to one {@link Material}.
      *
      * @param is where from
      * @throws IOException if it cannot be read; {@link simpleray.text.SceneFormatException} with up to 20 errors if it is no scene
      */
     public void read(SceneReader is) throws IOException {
+        read(is, new Counts());
+    }
+
+    /** Reads a scene that has as many objects and lights as it announces, or others. */
+    void read(SceneReader is, Counts counts) throws IOException {
         is.tolerate(MOST_ERRORS);
-        int n = is.readInt("the number of objects", 0, Integer.MAX_VALUE);
-        List<Object> newObjects = ObjectKind.TABLE.readAll(is, n);
+        Lines newObjectLines = new Lines();
+        Lines newLightLines = new Lines();
+        int n = counts.objects(is, is.readInt("the number of objects", 0, Integer.MAX_VALUE));
+        List<Object> newObjects = ObjectKind.TABLE.readAll(is, n, newObjectLines);
         is.enter("the scene's ambient");
         Colour newAmbient = new Colour();
         newAmbient.read(is);
         is.leave();
-        int m = is.readInt("the number of lights (after " + n + " objects and the ambient light)", 0, Integer.MAX_VALUE);
-        List<Light> newLights = LightKind.TABLE.readAll(is, m);
-        String end = "the end of the scene (after " + n + " objects and " + m + " lights)";
+        String before = "(after " + ObjectKind.TABLE.counted(n) + " and ";
+        int m = counts.lights(is, is.readInt("the number of lights " + before + "the ambient light)", 0, Integer.MAX_VALUE));
+        List<Light> newLights = LightKind.TABLE.readAll(is, m, newLightLines);
+        String end = "the end of the scene " + before + LightKind.TABLE.counted(m) + ')';
         SceneSettings newSettings = new SceneSettings();
         newSettings.read(is);
+        counts.fit = is.eof();
         is.complete(end);
 
         objects.clear();
@@ -276,6 +297,8 @@ public final class Scene {
         lights.clear();
         lights.addAll(newLights);
         numberLights = m;
+        objectLines = newObjectLines;
+        lightLines = newLightLines;
         ambient = newAmbient;
         settings = newSettings;
     }

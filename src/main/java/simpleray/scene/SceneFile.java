@@ -1,5 +1,7 @@
 package simpleray.scene;
 
+import java.io.ByteArrayInputStream;
+import java.io.FileInputStream;
 import java.io.FileNotFoundException;
 import java.io.IOException;
 import java.io.InputStream;
@@ -8,6 +10,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import simpleray.text.Problem;
+import simpleray.text.PngText;
+import simpleray.text.SceneBytes;
+import simpleray.text.SceneFormatException;
 import simpleray.text.SceneReader;
 
 /**
@@ -15,44 +20,171 @@ import simpleray.text.SceneReader;
  *
  * @param scene the scene
  * @param warnings the warnings, in the order of the file
+ * @param text what it was read from; null if it was not read
  */
-public record SceneFile(Scene scene, List<Problem> warnings) {
+public record SceneFile(Scene scene, List<Problem> warnings, SceneText text) {
+    private static final String STREAM = "<stdin>";
+
     /**
-     * Reads a scene file.
+     * Creates a scene that was not read from a text.
+     *
+     * @param scene the scene
+     * @param warnings the warnings
+     */
+    public SceneFile(Scene scene, List<Problem> warnings) {
+        this(scene, warnings, null);
+    }
+
+    /**
+     * Reads a scene file, or the scene of a picture that carries one. It may name OBJ files in its own folder.
      *
      * @param path the file; its path as given stands in messages
      * @return the scene
-     * @throws simpleray.text.SceneFormatException if it is no scene
+     * @throws SceneFormatException if it is no scene
+     * @throws simpleray.text.PictureFormatException if it is a picture, and damaged or without a scene
      * @throws FileSystemException if it cannot be opened, with a reason that people understand
      * @throws IOException if it cannot be read
      */
     public static SceneFile read(Path path) throws IOException {
+        return read(path, Reach.FOLDER);
+    }
+
+    /**
+     * Reads a scene file, or the scene of a picture that carries one.
+     *
+     * @param path the file; its path as given stands in messages
+     * @param reach which OBJ files it may name
+     * @return the scene
+     * @throws SceneFormatException if it is no scene
+     * @throws simpleray.text.PictureFormatException if it is a picture, and damaged or without a scene
+     * @throws FileSystemException if it cannot be opened, with a reason that people understand
+     * @throws IOException if it cannot be read
+     */
+    public static SceneFile read(Path path, Reach reach) throws IOException {
         if (Files.isDirectory(path)) {
             throw new FileSystemException(path.toString(), null, "is a folder");
         }
-        try (SceneReader reader = new SceneReader(path.toFile())) {
-            return read(reader);
+        try (SceneBytes in = new SceneBytes(new FileInputStream(path.toFile()), longestKept(path))) {
+            return read(in, path.toString(), path.resolveSibling(""), reach);
         } catch (FileNotFoundException e) {
             String reason = Files.exists(path) ? "may not be read" : "no such file";
             throw (IOException) new FileSystemException(path.toString(), null, reason).initCause(e);
         }
     }
 
+    /** {@return how much of a file to keep: nothing at all of one that is known to be too long} */
+    private static int longestKept(Path path) {
+        return path.toFile().length() > PngText.LONGEST ? 0 : PngText.LONGEST;
+    }
+
+    /**
+     * Reads a scene from standard input. It may name OBJ files in the working directory.
+     *
+     * @param in the stream, read to its end and left open
+     * @return the scene
+     * @throws SceneFormatException if it is no scene
+     * @throws simpleray.text.PictureFormatException if it is a picture, and damaged or without a scene
+     * @throws IOException if it cannot be read
+     */
+    public static SceneFile read(InputStream in) throws IOException {
+        return read(in, Reach.FOLDER);
+    }
+
     /**
      * Reads a scene from standard input.
      *
      * @param in the stream, read to its end and left open
+     * @param reach which OBJ files it may name
      * @return the scene
-     * @throws simpleray.text.SceneFormatException if it is no scene
+     * @throws SceneFormatException if it is no scene
+     * @throws simpleray.text.PictureFormatException if it is a picture, and damaged or without a scene
      * @throws IOException if it cannot be read
      */
-    public static SceneFile read(InputStream in) throws IOException {
-        return read(new SceneReader(in));
+    public static SceneFile read(InputStream in, Reach reach) throws IOException {
+        return read(in, STREAM, Path.of(""), reach);
     }
 
-    private static SceneFile read(SceneReader reader) throws IOException {
+    /**
+     * Reads a scene whose text is not, or not yet, what stands in its file.
+     *
+     * @param in the text, read to its end and left open
+     * @param path the file, whose name stands in messages and beside which others are found
+     * @param reach which OBJ files it may name
+     * @return the scene
+     * @throws SceneFormatException if it is no scene
+     * @throws IOException if it cannot be read
+     */
+    public static SceneFile read(InputStream in, Path path, Reach reach) throws IOException {
+        return read(in, path.toString(), path.resolveSibling(""), reach);
+    }
+
+    /**
+     * Finds where an object is in the file.
+     *
+     * @param i its place in the scene, from 0
+     * @return its line, from 1; 0 if it is not known
+     */
+    public int lineOfObject(int i) {
+        return scene.objectLine(i);
+    }
+
+    /**
+     * Finds where a light is in the file.
+     *
+     * @param i its place in the scene, from 0
+     * @return its line, from 1; 0 if it is not known
+     */
+    public int lineOfLight(int i) {
+        return scene.lightLine(i);
+    }
+
+    private static SceneFile read(InputStream in, String name, Path folder, Reach reach) throws IOException {
+        SceneBytes bytes = new SceneBytes(in, PngText.LONGEST);
+        try {
+            return read(bytes, name, folder, reach);
+        } finally {
+            bytes.release();
+        }
+    }
+
+    private static SceneFile read(SceneBytes in, String name, Path folder, Reach reach) throws IOException {
+        if (in.isPng()) {
+            return PictureScene.read(in, name).open(name, folder, reach);
+        }
+        SceneReader reader = new SceneReader(in, name, folder);
+        MeshFiles meshes = MeshFiles.of(reader, reach);
+        Scene scene = read(reader, () -> {
+            byte[] text = in.rest(Recount.MOST_BYTES);
+            return text == null ? null : new Recount(() -> new SceneReader(new ByteArrayInputStream(text), name, folder), reach);
+        });
+        String base = name.equals(STREAM) ? "stdin" : Path.of(name).getFileName().toString();
+        return new SceneFile(scene, reader.warnings(), new SceneText(base, in.sha256(), in.kept(), List.copyOf(meshes.read)));
+    }
+
+    /** Reads a scene of which a picture carries the text. */
+    static SceneFile read(SceneText carried, String name, Path folder, Reach reach) throws IOException {
+        SceneReader reader = new SceneReader(new ByteArrayInputStream(carried.bytes()), name, folder);
+        MeshFiles meshes = MeshFiles.of(reader, reach);
+        Scene scene = read(reader, () -> null);               // it was a scene when the picture was made
+        return new SceneFile(scene, reader.warnings(),
+            new SceneText(carried.name(), carried.sha256(), carried.bytes(), List.copyOf(meshes.read)));
+    }
+
+    /** What can read the scene again; null if nothing can. */
+    private interface Again {
+        Recount get() throws IOException;
+    }
+
+    /** Reads a scene. If its counts do not fit, and it can be read again, the error tells the right ones. */
+    private static Scene read(SceneReader reader, Again again) throws IOException {
+        Counts counts = new Counts();
         Scene scene = new Scene();
-        scene.read(reader);
-        return new SceneFile(scene, reader.warnings());
+        try {
+            scene.read(reader, counts);
+        } catch (SceneFormatException e) {
+            Recount recount = counts.announced && !counts.fit ? again.get() : null;
+            throw recount == null ? e : recount.explained(e);
+        }
+        return scene;
     }
 }

@@ -1,11 +1,18 @@
 package simpleray.scene;
 
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
-import java.util.HashSet;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.Map;
 import java.util.Set;
+import java.util.TreeMap;
 import simpleray.math.Colour;
 import simpleray.text.SceneReader;
 import simpleray.text.SceneWriter;
+import simpleray.text.Span;
 
 /**
  * What a scene file, or who renders it, asks of camera and renderer; null is not asked for. <em>Mutable.</em>
@@ -34,6 +41,11 @@ public final class SceneSettings {
     public Integer depth;
     /** Samples along each side of a pixel, 1 to {@link #MOST_SAMPLES}. */
     public Integer samples;
+
+    /** Where in the file that was read each keyword stands with its values. */
+    final Map<String, Span> places = new TreeMap<>();
+    /** Where in that file the last value stands, of a setting or before; null if no file was read. */
+    Span last;
 
     /** Creates settings that ask for nothing. */
     public SceneSettings() {
@@ -100,14 +112,51 @@ public final class SceneSettings {
         return simple;
     }
 
+    /** {@return whether a line is one that {@link #of} reads} */
+    static boolean isSetting(String line) {
+        int space = line.indexOf(' ');
+        return space > 0 && KEYWORDS.contains(line.substring(0, space)) && !line.endsWith(" adaptive");
+    }
+
+    /**
+     * Reads settings that stand alone, as {@link #lines} gives them.
+     *
+     * @param lines a keyword and its values in each
+     * @param name what messages call them
+     * @return the settings
+     * @throws IOException if there is anything else in the lines
+     */
+    public static SceneSettings of(String lines, String name) throws IOException {
+        SceneReader is = new SceneReader(new ByteArrayInputStream(lines.getBytes(StandardCharsets.UTF_8)), name,
+            Path.of(""));
+        SceneSettings settings = new SceneSettings();
+        settings.read(is);
+        is.complete("the end of the settings");
+        return settings;
+    }
+
+    /** {@return what is asked for, a line each} */
+    public String lines() {
+        try (ByteArrayOutputStream bytes = new ByteArrayOutputStream()) {
+            SceneWriter os = new SceneWriter(bytes);
+            write(os);
+            os.flush();
+            return bytes.toString(StandardCharsets.UTF_8);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);                // none in memory
+        }
+    }
+
     /** Reads keywords and their values as long as they come. */
     void read(SceneReader is) throws IOException {
-        Set<String> seen = new HashSet<>();
+        Set<String> seen = places.keySet();
+        last = Span.last(is);
         for (String word = is.takeKeyword(KEYWORDS); word != null; word = is.takeKeyword(KEYWORDS)) {
             if (!is.isFirstOnLine()) {
                 is.reject("keyword " + word + " on a line of its own");
             }
-            if (!seen.add(word)) {
+            Span keyword = Span.last(is);
+            if (seen.contains(word)) {
                 is.reject("keyword " + word + " only once");
             }
             if (word.equals("camera") ? seen.contains("window") || seen.contains("cop") : seen.contains("camera") && isSimple(word)) {
@@ -116,6 +165,8 @@ public final class SceneSettings {
             is.enter(word + "'s");
             readValue(is, word);
             is.leave();
+            last = Span.last(is);
+            places.put(word, new Span(keyword.start(), last.end()));
         }
     }
 

@@ -125,18 +125,28 @@ public final class SimpleCamera implements Camera {
     }
 
     @Override
-    public Ray through(double px, double py) {
+    public void through(double px, double py, Ray ray) {
         double wx = xmin + px * (xmax - xmin) / width;
         double wy = ymax - py * (ymax - ymin) / height;
-        Vector direction = new Vector(wx, wy, -cop);
-        direction.normalise();
-        return new Ray(new Point(0, 0, cop), direction);
+        ray.origin.set(0, 0, cop);
+        ray.direction.set(wx, wy, -cop);
+        ray.direction.normalise();
     }
 
     @Override
     public void writePov(SceneWriter os) throws IOException {
         Pov.camera(os, new Point(0, 0, cop), new Vector((xmin + xmax) / 2, (ymin + ymax) / 2, -cop),
             new Vector(xmax - xmin, 0, 0), new Vector(0, ymax - ymin, 0));
+    }
+
+    /** {@return the viewport window} */
+    SceneSettings.Window window() {
+        return new SceneSettings.Window(xmin, xmax, ymin, ymax);
+    }
+
+    @Override
+    public Point eye() {
+        return new Point(0, 0, cop);
     }
 
     @Override

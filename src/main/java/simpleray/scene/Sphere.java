@@ -10,6 +10,9 @@ import simpleray.text.SceneWriter;
 
 /** A sphere, (P - C)·(P - C) = R² (thesis, chapters 3 and 5). */
 public final class Sphere extends Object {
+    /** More than the share of a squared distance that its roundings can be. */
+    private static final double ROUNDING = 0x1p-46;
+
     /** The centre. */
     public Point centre;
     /** The radius, above 0. */
@@ -42,20 +45,40 @@ public final class Sphere extends Object {
     @Override
     public double intersect(Ray ray) {
         Vector d = ray.direction;
-        double fx = ray.origin.x - centre.x;
-        double fy = ray.origin.y - centre.y;
-        double fz = ray.origin.z - centre.z;
-        double a = d.x * d.x + d.y * d.y + d.z * d.z;
-        double towards = -(fx * d.x + fy * d.y + fz * d.z);   // -b/2
+        Point o = ray.origin;
+        return hit(o.x - centre.x, o.y - centre.y, o.z - centre.z, d.x, d.y, d.z, radius);
+    }
+
+    /**
+     * Finds the nearest hit of a ray on a sphere about the origin, as {@link #intersect} says. All numbers that it takes are its
+     * arguments, for those who keep spheres in arrays.
+     *
+     * @param fx x of the ray's origin, seen from the centre
+     * @param fy y of it
+     * @param fz z of it
+     * @param dx x of the ray's direction
+     * @param dy y of it
+     * @param dz z of it
+     * @param radius the radius
+     * @return t of the hit, or {@link #MISS}
+     */
+    public static double hit(double fx, double fy, double fz, double dx, double dy, double dz, double radius) {
+        double a = dx * dx + dy * dy + dz * dz;
+        double towards = -(fx * dx + fy * dy + fz * dz);      // -b/2
+        double ff = fx * fx + fy * fy + fz * fz;
+        double e = ff - radius * radius;
+        // Most rays miss, and most of those clearly: away from the sphere, or so far beside it that no rounding below makes it a hit.
+        if (towards < 0 && e >= 0 || towards * towards < a * (e - ROUNDING * ff)) {
+            return MISS;
+        }
         double closest = towards / a;                         // t where the ray comes closest to the centre
-        double lx = fx + closest * d.x;
-        double ly = fy + closest * d.y;
-        double lz = fz + closest * d.z;
+        double lx = fx + closest * dx;
+        double ly = fy + closest * dy;
+        double lz = fz + closest * dz;
         double square = radius * radius - (lx * lx + ly * ly + lz * lz);
         if (!(square >= 0)) {
             return MISS;
         }
-        double e = fx * fx + fy * fy + fz * fz - radius * radius;
         double q = towards + Math.copySign(Math.sqrt(a * square), towards);
         double one = e / q;
         double other = q / a;
@@ -105,14 +128,14 @@ public final class Sphere extends Object {
 
     @Override
     public void read(SceneReader is) throws IOException {
+        is.group();
         is.enter("centre");
         centre = new Point();
         centre.read(is);
         is.leave();
+        Lengths.check(is, "centre", centre.x, centre.y, centre.z);
         radius = is.readDouble("radius");
-        if (radius <= 0) {
-            is.reject("radius above 0");
-        }
+        Lengths.checkRadius(is, radius);
         readMaterial(is);
     }
 

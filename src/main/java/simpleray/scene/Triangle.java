@@ -178,6 +178,7 @@ public final class Triangle extends Object {
         if (isFlat()) {
             is.rejectGroup("three vertices not on one line");
         }
+        Lengths.check(is, "vertices", a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z);
         readMaterial(is);
     }
 

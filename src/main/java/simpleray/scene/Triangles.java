@@ -1,5 +1,6 @@
 package simpleray.scene;
 
+import java.util.Arrays;
 import java.util.HashSet;
 import java.util.Set;
 
@@ -64,7 +65,7 @@ record Triangles(double[] vertices, int[] corners, double[] normals, int[] corne
             return false;
         }
         double sum = weights[0] + weights[1] + weights[2];
-        out[0] = out[1] = out[2] = 0;
+        Arrays.fill(out, 0, 3, 0);
         for (int corner = 0; corner < 3; corner++) {
             int normal = 3 * cornerNormals[3 * triangle + corner];
             for (int axis = 0; axis < 3; axis++) {

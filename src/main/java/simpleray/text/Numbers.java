@@ -50,7 +50,28 @@ public final class Numbers {
         }
     }
 
-    private static boolean isDecimal(String word) {
+    /**
+     * Writes a number.
+     *
+     * @param value the number, finite
+     * @return the shortest decimal that reads back as the same number
+     */
+    public static String shortest(double value) {
+        return ShortestDecimal.of(value);
+    }
+
+    /** {@return whether a number that reads as 0 means another} */
+    static boolean isTiny(String number) {
+        for (int i = 0; i < number.length() && (number.charAt(i) | ' ') != 'e'; i++) {
+            if (number.charAt(i) >= '1' && number.charAt(i) <= '9') {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** {@return whether a word is a decimal, whatever its size} */
+    static boolean isDecimal(String word) {
         int start = sign(word);
         int whole = digits(word, start);
         int end = whole;

@@ -8,23 +8,41 @@ package simpleray.text;
  * @param column the character in the line at which the word begins, counted from 1 (a tab is one character)
  * @param error true for an error, false for a warning
  * @param message what was expected and what was found
- * @param source the line's text, without its line break
+ * @param source the line's text, without its line break; of a long line a piece about the column; null if it is not known
+ * @param begins the column at which the source begins: 1 unless the line is long
  */
-public record Problem(String file, int line, int column, boolean error, String message, String source) {
+public record Problem(String file, int line, int column, boolean error, String message, String source, int begins) {
     /** The longest piece of a source line that is shown. */
     private static final int SHOWN = 160;
     private static final int LONGEST_WORD = 60;
     private static final String CUT = "...";
 
-    /** {@return the first line of the report: {@code FILE:LINE:COLUMN: error: expected WHAT, found WHAT}} */
-    public String headline() {
-        return file + ':' + line + ':' + column + (error ? ": error: " : ": warning: ") + message;
+    /**
+     * Creates a problem with its whole line.
+     *
+     * @param file the file as the user named it
+     * @param line the line, counted from 1
+     * @param column the character in the line, counted from 1
+     * @param error true for an error, false for a warning
+     * @param message what was expected and what was found
+     * @param source the line's text, without its line break; null if it is not known
+     */
+    public Problem(String file, int line, int column, boolean error, String message, String source) {
+        this(file, line, column, error, message, source, 1);
     }
 
-    /** {@return the headline, under it the source line, under that a caret at the column; no line break at the end} */
+    /** {@return the first line of the report: {@code FILE:LINE:COLUMN: error: expected WHAT, found WHAT}} */
+    public String headline() {
+        return printable(file) + ':' + line + ':' + column + (error ? ": error: " : ": warning: ") + message;
+    }
+
+    /** {@return the headline, under it the source line if it is known, under that a caret at the column; no line break at the end} */
     @Override
     public String toString() {
-        int at = source.offsetByCodePoints(0, Math.min(column - 1, source.codePointCount(0, source.length())));
+        if (source == null) {
+            return headline();
+        }
+        int at = source.offsetByCodePoints(0, Math.min(column - begins, source.codePointCount(0, source.length())));
         int from = source.length() <= SHOWN ? 0 : Math.max(0, at - SHOWN / 2);
         int to = Math.min(source.length(), from + SHOWN);
         if (from > 0 && Character.isLowSurrogate(source.charAt(from))) {
@@ -53,10 +71,21 @@ public record Problem(String file, int line, int column, boolean error, String m
         return '\'' + printable(shown) + '\'';
     }
 
-    /** {@return the text with every control character but the tab replaced, so that a file cannot steer a terminal} */
-    static String printable(String text) {
+    /** {@return whether a character steers how others are shown, and is not seen itself} */
+    static boolean isHidden(int c) {
+        int type = Character.getType(c);
+        return type == Character.FORMAT || type == Character.LINE_SEPARATOR || type == Character.PARAGRAPH_SEPARATOR;
+    }
+
+    /**
+     * Makes a text fit for a terminal, which no file is to steer.
+     *
+     * @param text the text
+     * @return the text with every control character but the tab, and every invisible one, replaced
+     */
+    public static String printable(String text) {
         StringBuilder shown = new StringBuilder(text.length());
-        text.codePoints().forEach(c -> shown.appendCodePoint(c != '\t' && Character.isISOControl(c) ? '\uFFFD' : c));
+        text.codePoints().forEach(c -> shown.appendCodePoint(c != '\t' && (Character.isISOControl(c) || isHidden(c)) ? '\uFFFD' : c));
         return shown.toString();
     }
 }

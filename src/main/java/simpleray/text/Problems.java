@@ -1,6 +1,7 @@
 package simpleray.text;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 
 /** What was found wrong with a scene file so far, and what the values being read belong to. <em>Mutable</em>, for one thread. */
@@ -8,11 +9,15 @@ final class Problems {
     /** No more warnings than these are kept: a book read by mistake has a heading in every line. */
     private static final int MOST_WARNINGS = 1000;
 
+    private static final int DEEP = 8;
+
     private final String file;
     private final List<Problem> errors = new ArrayList<>();
     private final List<Problem> warnings = new ArrayList<>();
     private final List<String> owners = new ArrayList<>();
+    private int[] numbers = new int[DEEP];                    // the owners' numbers, 0 for none
     private int mostErrors = 1;
+    private int headings;
 
     /** Begins without a problem; the file's name is for messages. */
     Problems(String file) {
@@ -23,9 +28,13 @@ final class Problems {
         mostErrors = most;
     }
 
-    /** Says what the next values belong to: "object 3's". */
-    void enter(String owner) {
-        owners.add(owner);
+    /** Says what the next values belong to: "object" and 3 for "object 3's", the name and 0 for the name alone. */
+    void enter(String name, int number) {
+        if (owners.size() == numbers.length) {
+            numbers = Arrays.copyOf(numbers, 2 * numbers.length);
+        }
+        numbers[owners.size()] = number;
+        owners.add(name);
     }
 
     void leave() {
@@ -37,14 +46,14 @@ final class Problems {
     }
 
     /** Notes an error; throws if that is one too many. */
-    void note(Words.Place place, String wanted, String found) throws SceneFormatException {
+    void note(Place place, String wanted, String found) throws SceneFormatException {
         report(error(place, wanted, found));
     }
 
     /** Notes an error or warning; throws if that is one error too many. */
     void report(Problem problem) throws SceneFormatException {
         if (!problem.error()) {
-            if (warnings.size() < MOST_WARNINGS) {
+            if (hasRoom()) {
                 warnings.add(problem);
             }
             return;
@@ -56,7 +65,7 @@ final class Problems {
     }
 
     /** Notes an error after which there is no going on, and returns the exception to throw. */
-    SceneFormatException stop(Words.Place place, String wanted, String found) {
+    SceneFormatException stop(Place place, String wanted, String found) {
         errors.add(error(place, wanted, found));
         return new SceneFormatException(errors, false);
     }
@@ -68,20 +77,44 @@ final class Problems {
         }
     }
 
+    /** {@return whether another warning will be kept} */
+    boolean hasRoom() {
+        return warnings.size() < MOST_WARNINGS;
+    }
+
+    /** {@return what is found at the end of the file} Whose values are all in lines that begin with a letter, sees none of them. */
+    String end() {
+        return "the end of the file" + (headings == 0 ? "" : headings == 1 ? " (1 line was skipped as a heading)"
+            : " (" + headings + " lines were skipped as headings)");
+    }
+
     /** Notes the warning that a heading was skipped. */
-    void skipped(Words.Place place) {
-        if (warnings.size() < MOST_WARNINGS) {
-            String text = Problem.quoted(place.source().substring(place.at()).strip());
-            warnings.add(problem(place, false, "expected a value or a comment, found the heading " + text + ", which is skipped"));
+    void skipped(Place place, String heading) {
+        headings++;
+        warnings.add(problem(place, false,
+            "expected a value or a comment, found the heading " + Problem.quoted(heading) + ", which is skipped"));
+    }
+
+    /** Notes a warning about something of what is being read. */
+    void warn(Place place, String message) {
+        if (hasRoom()) {
+            warnings.add(problem(place, false, owner() + message));
         }
     }
 
-    private Problem error(Words.Place place, String wanted, String found) {
-        String owner = owners.isEmpty() ? "" : String.join(" ", owners) + ' ';
-        return problem(place, true, "expected " + owner + wanted + ", found " + found);
+    private Problem error(Place place, String wanted, String found) {
+        return problem(place, true, "expected " + owner() + wanted + ", found " + found);
     }
 
-    private Problem problem(Words.Place place, boolean error, String message) {
-        return new Problem(file, place.line(), place.column(), error, message, place.source());
+    private String owner() {
+        StringBuilder owner = new StringBuilder();
+        for (int i = 0; i < owners.size(); i++) {
+            owner.append(owners.get(i)).append(numbers[i] == 0 ? " " : " " + numbers[i] + "'s ");
+        }
+        return owner.toString();
+    }
+
+    private Problem problem(Place place, boolean error, String message) {
+        return new Problem(file, place.line(), place.column(), error, message, place.source(), place.begins());
     }
 }

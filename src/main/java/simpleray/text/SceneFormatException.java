@@ -23,6 +23,12 @@ public final class SceneFormatException extends IOException {
         this.problems = List.copyOf(problems);
     }
 
+    /** Leaves out the stack trace, which takes longer than to read a small file: what is wrong is in the file. */
+    @Override
+    public Throwable fillInStackTrace() {
+        return this;
+    }
+
     /** {@return what is wrong, in the order of the file; never empty} */
     public List<Problem> problems() {
         return problems;

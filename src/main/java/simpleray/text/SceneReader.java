@@ -10,10 +10,10 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.function.Supplier;
 
 /**
  * Reads values from a scene file (thesis, chapter 5). <em>Mutable</em>, for one thread.
- *
  * <p>Values are words between white space. {@code #} begins a comment that ends with its line. A line that begins with a letter
  * is a heading: it is skipped, with a warning. Whoever reads says what it reads, {@link #enter(String, int) enter("object", 3)} and
  * then {@link #readDouble(String) readDouble("radius")}, so that an error can say "expected object 3's radius".
@@ -22,14 +22,13 @@ import java.util.Set;
  * until {@link #complete}. An error that leaves no way to go on throws at once, with those noted before it.
  */
 public final class SceneReader implements Closeable {
-    /** What was made of other files that the scene names, by absolute path, for whoever reads them: each is read once. */
-    public final Map<Path, Object> loaded = new HashMap<>();
+    private static final int BUFFER = 1 << 16;
+    private static final Set<String> NO_KEYWORDS = Set.of();
 
     private final Problems problems;
     private final Path folder;
-    private final Words words;
-    private Words.Place last;
-    private Words.Place groupStart;
+    final Words words;
+    private final Map<Class<?>, Object> kept = new HashMap<>();
 
     /**
      * Opens a scene file.
@@ -38,7 +37,7 @@ public final class SceneReader implements Closeable {
      * @throws IOException if it cannot be opened
      */
     public SceneReader(File f) throws IOException {
-        this(new FileInputStream(f), f.getPath(), f.toPath().resolveSibling(""));
+        this(new FileInputStream(f), f.getPath(), f.toPath().resolveSibling(""), BUFFER);
     }
 
     /**
@@ -47,23 +46,37 @@ public final class SceneReader implements Closeable {
      * @param is the stream, UTF-8
      */
     public SceneReader(InputStream is) {
-        this(is, "<stdin>");
+        this(is, "<stdin>", Path.of(""));
     }
 
     /**
-     * Creates a reader of a stream.
+     * Creates a reader of a stream that stands for a file.
      *
      * @param is the stream, UTF-8
      * @param name what messages call the file
+     * @param folder where the files lie that it names
      */
-    public SceneReader(InputStream is, String name) {
-        this(is, name, Path.of(""));
+    public SceneReader(InputStream is, String name, Path folder) {
+        this(is, name, folder, BUFFER);
     }
 
-    private SceneReader(InputStream is, String name, Path folder) {
+    /** Creates a reader that keeps so many bytes in memory, at least 4096. */
+    SceneReader(InputStream is, String name, Path folder, int buffer) {
         problems = new Problems(name);
         this.folder = folder;
-        words = new Words(is, problems::skipped);
+        words = new Words(is, buffer, problems);
+    }
+
+    /**
+     * Finds what those who read share until the file ends.
+     *
+     * @param <T> its class, of which there is one
+     * @param type its class
+     * @param maker makes it when it is first asked for
+     * @return the same each time
+     */
+    public <T> T kept(Class<T> type, Supplier<? extends T> maker) {
+        return type.cast(kept.computeIfAbsent(type, absent -> maker.get()));
     }
 
     /**
@@ -82,7 +95,7 @@ public final class SceneReader implements Closeable {
      * @param number its number, from 1
      */
     public void enter(String name, int number) {
-        problems.enter(name + ' ' + number + "'s");
+        problems.enter(name, number);
     }
 
     /**
@@ -91,7 +104,7 @@ public final class SceneReader implements Closeable {
      * @param name the thing's name, as it stands before "red" or "x"
      */
     public void enter(String name) {
-        problems.enter(name);
+        problems.enter(name, 0);
     }
 
     /** Ends what the latest {@code enter} began. */
@@ -107,14 +120,12 @@ public final class SceneReader implements Closeable {
      */
     public char readChar() throws IOException {
         require(null, "a character");
-        last = words.place();
         return words.takeChar();
     }
 
     /**
-     * Reads a number.
+     * {@return the next number, finite}
      *
-     * @return the number, finite
      * @throws IOException if the next word is no number, or the file cannot be read
      */
     public double readDouble() throws IOException {
@@ -129,9 +140,15 @@ public final class SceneReader implements Closeable {
      * @throws IOException if the next word is no number, or the file cannot be read
      */
     public double readDouble(String field) throws IOException {
-        double value = Numbers.parseDouble(word(field));
+        double value = words.takeDouble();
         if (Double.isNaN(value)) {
-            reject(field);
+            String word = word(field);
+            value = Numbers.parseDouble(word);
+            if (Double.isNaN(value)) {
+                reject(field);
+            } else if (value == 0 && Numbers.isTiny(word)) {
+                problems.warn(words.last(), field + ' ' + Problem.quoted(words.lastWord()) + " is too small for a number, and read as 0");
+            }
         }
         return value;
     }
@@ -151,9 +168,8 @@ public final class SceneReader implements Closeable {
     }
 
     /**
-     * Reads an integer.
+     * {@return the next integer}
      *
-     * @return the integer
      * @throws IOException if the next word is no integer of that range, or the file cannot be read
      */
     public int readInt() throws IOException {
@@ -174,9 +190,8 @@ public final class SceneReader implements Closeable {
     }
 
     /**
-     * Reads a long integer.
+     * {@return the next long integer}
      *
-     * @return the integer
      * @throws IOException if the next word is no integer of that range, or the file cannot be read
      */
     public long readLong() throws IOException {
@@ -184,15 +199,19 @@ public final class SceneReader implements Closeable {
     }
 
     private long readInteger(String field, long least, long most) throws IOException {
-        Long value = Numbers.parseInteger(word(field), least, most);
-        if (value == null) {
-            throw stop(field);
+        long value = words.takeInteger();
+        if (value == Numerals.NO_INTEGER || value < least || value > most) {
+            Long other = value == Numerals.NO_INTEGER ? Numbers.parseInteger(word(field), least, most) : null;
+            if (other == null) {
+                throw problems.stop(words.last(), field, Found.integer(words.lastWord(), least, most));
+            }
+            value = other;
         }
         return value;
     }
 
     /**
-     * Reads a name between double quotes on one line, in which white space and {@code #} are allowed.
+     * Reads a name between double quotes on one line, in which white space and {@code #} are allowed; it must fit into the buffer.
      *
      * @param field what it is, for the message
      * @return the name without the quotes, not empty
@@ -201,7 +220,7 @@ public final class SceneReader implements Closeable {
     public String readQuoted(String field) throws IOException {
         String word = word(field);
         int close = word.indexOf('"', 1);
-        if (word.charAt(0) != '"' || close < 2 || close != word.length() - 1) {
+        if (!word.startsWith("\"") || close < 2 || close != word.length() - 1) {
             throw stop(field + " between double quotes");
         }
         return word.substring(1, close);
@@ -219,34 +238,38 @@ public final class SceneReader implements Closeable {
     }
 
     /**
-     * Tells whether only white space, comments and headings are left.
+     * {@return whether only white space, comments and headings are left}
      *
-     * @return true at the end of the file
      * @throws IOException if the file cannot be read
      */
     public boolean eof() throws IOException {
-        return !words.skip(Set.of());
+        return !words.skip(NO_KEYWORDS);
     }
 
     /**
      * Reads a keyword, if one comes next.
      *
-     * @param keywords the keywords that may stand here, and so begin no heading
+     * @param keywords the keywords that may stand here, and so begin no heading; each begins with a letter from A to Z or a to z
      * @return the keyword; null if none comes next
      * @throws IOException if the file cannot be read
      */
     public String takeKeyword(Set<String> keywords) throws IOException {
-        return words.skip(keywords) && keywords.contains(words.peek()) ? word("a keyword", keywords) : null;
+        return words.skip(keywords) && words.isNext(keywords) ? words.take() : null;
+    }
+
+    /** {@return the line of the value just read, from 1} */
+    public int line() {
+        return words.line();
     }
 
     /** {@return whether the value just read is the first on its line} */
     public boolean isFirstOnLine() {
-        return last.source().substring(0, last.at()).isBlank();
+        return words.isFirstOnLine();
     }
 
     /** Begins a group: the values read from here on may be rejected together. */
     public void group() {
-        groupStart = null;
+        words.beginGroup();
     }
 
     /**
@@ -256,7 +279,7 @@ public final class SceneReader implements Closeable {
      * @throws SceneFormatException if that is one error too many
      */
     public void reject(String wanted) throws SceneFormatException {
-        problems.note(last, wanted, Problem.quoted(last.word()));
+        problems.note(words.last(), wanted, Found.word(words.lastWord()));
     }
 
     /**
@@ -276,9 +299,7 @@ public final class SceneReader implements Closeable {
      * @throws SceneFormatException if that is one error too many
      */
     public void rejectGroup(String wanted) throws SceneFormatException {
-        boolean oneLine = groupStart.line() == last.line();
-        String found = oneLine ? last.source().substring(groupStart.at(), last.end()) : groupStart.word();
-        problems.note(groupStart, wanted, Problem.quoted(found));
+        problems.note(words.group(), wanted, Problem.quoted(words.groupWords()));
     }
 
     /**
@@ -288,7 +309,7 @@ public final class SceneReader implements Closeable {
      * @return the exception to throw, with all errors so far
      */
     public SceneFormatException stop(String wanted) {
-        return problems.stop(last, wanted, Problem.quoted(last.word()));
+        return problems.stop(words.last(), wanted, Found.word(words.lastWord()));
     }
 
     /**
@@ -298,8 +319,8 @@ public final class SceneReader implements Closeable {
      * @throws IOException if an error was noted or something is left, or the file cannot be read
      */
     public void complete(String wanted) throws IOException {
-        if (words.skip(Set.of())) {
-            last = words.place();
+        if (words.skip(NO_KEYWORDS)) {
+            words.markNext();
             throw stop(wanted);
         }
         problems.complete();
@@ -310,32 +331,19 @@ public final class SceneReader implements Closeable {
         return problems.warnings();
     }
 
-    /**
-     * Closes the file when finished.
-     *
-     * @throws IOException if that fails
-     */
     @Override
     public void close() throws IOException {
         words.close();
     }
 
     private String word(String field) throws IOException {
-        return word(field, Set.of());
-    }
-
-    private String word(String field, Set<String> keywords) throws IOException {
-        require(keywords, field);
-        last = words.place();
-        if (groupStart == null) {
-            groupStart = last;
-        }
+        require(NO_KEYWORDS, field);
         return words.take();
     }
 
     private void require(Set<String> keywords, String field) throws IOException {
         if (!words.skip(keywords)) {
-            throw problems.stop(words.place(), field, "the end of the file");
+            throw problems.stop(words.here(), field, problems.end());
         }
     }
 }

@@ -116,7 +116,7 @@ public final class SceneWriter implements Closeable {
      */
     public void writeString(String s) throws IOException {
         out.write(s);
-        afterNumber &= s.isEmpty();
+        afterNumber = afterNumber && s.isEmpty();
     }
 
     /**

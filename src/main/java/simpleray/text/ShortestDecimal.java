@@ -52,21 +52,13 @@ final class ShortestDecimal {
             if (readsBack.test(nearest)) {
                 return notation(nearest);
             }
-            BigDecimal other = other(exact, nearest, digits);
-            if (readsBack.test(other)) {
-                return notation(other);
+            // At a power of two the numbers that read back as it reach further up than down: the nearest may miss, and the next above hit.
+            BigDecimal above = exact.round(new MathContext(digits, RoundingMode.CEILING));
+            if (readsBack.test(above)) {
+                return notation(above);
             }
         }
         return notation(exact.round(new MathContext(most, RoundingMode.HALF_EVEN)));
-    }
-
-    /**
-     * {@return the neighbour of that many digits on the other side of the exact value} At a power of two the numbers that read
-     * back as the same double reach further up than down, so that the nearest may miss and this one hit.
-     */
-    private static BigDecimal other(BigDecimal exact, BigDecimal nearest, int digits) {
-        RoundingMode side = nearest.compareTo(exact) > 0 ? RoundingMode.FLOOR : RoundingMode.CEILING;
-        return exact.round(new MathContext(digits, side));
     }
 
     /** {@return the positive decimal in Java's notation: plain from 1.0E-3 to below 1.0E7, else with an exponent} */

@@ -4,30 +4,45 @@ import java.io.BufferedOutputStream;
 import java.io.Closeable;
 import java.io.IOException;
 import java.io.OutputStream;
-import java.nio.file.AccessDeniedException;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
-import java.util.concurrent.atomic.AtomicInteger;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
 
 /**
  * A file in the making. It is written beside its target and moved over it when it is whole, so that the target is at all
  * times the old file or the new one. A target that is there and is no file, such as a device, is written to as it is.
+ *
+ * <p>One target has one file in the making at a time. What a killed process left of its own is used again by the next.
  */
 public final class WholeFile implements Closeable {
-    private static final AtomicInteger COUNT = new AtomicInteger();
+    /** What is to be deleted should the program be told to stop before it is whole. */
+    private static final Set<Path> BEGUN = ConcurrentHashMap.newKeySet();
+
+    static {
+        Runtime.getRuntime().addShutdownHook(new Thread("simpleray-deleting") {
+            @Override
+            public void run() {
+                deleteBegun();
+            }
+        });
+    }
 
     private final Path target;
     private final Path part;             // equal to the target where nothing is to be moved
+    private final FileClaim claim;       // null there
     private final OutputStream out;
     private boolean whole;
+    private boolean ended;
 
     /**
      * Makes sure that the file can be created, and begins it.
      *
      * @param path the target
+     * @throws FileInUseException if somebody else is making it
      * @throws FileSystemException if it cannot be created; the reason says why
      * @throws IOException likewise
      */
@@ -39,35 +54,32 @@ public final class WholeFile implements Closeable {
         if (there && !Files.isWritable(path)) {
             throw new FileSystemException(path.toString(), null, "is write-protected");
         }
-        target = there ? path.toRealPath() : followed(path.toAbsolutePath());
-        Path folder = target.getParent();
-        if (folder == null || !Files.isDirectory(folder)) {
-            throw new FileSystemException(path.toString(), null, "there is no folder " + folder);
+        target = FileClaim.target(path);
+        if (there && !Files.isRegularFile(target)) {
+            part = target;
+            claim = null;
+            out = new BufferedOutputStream(Files.newOutputStream(target));
+            return;
         }
-        part = there && !Files.isRegularFile(target) ? target
-            : folder.resolve(".simpleray-" + ProcessHandle.current().pid() + '-' + COUNT.incrementAndGet() + ".part");
-        out = new BufferedOutputStream(open(path));
-    }
-
-    /** {@return where a link leads that leads to no file yet; the path itself if it is no link} */
-    private static Path followed(Path path) throws IOException {
-        return Files.isSymbolicLink(path) ? path.resolveSibling(Files.readSymbolicLink(path)).toAbsolutePath() : path;
-    }
-
-    private OutputStream open(Path path) throws IOException {
-        if (part.equals(target)) {
-            return Files.newOutputStream(target);
-        }
+        part = FileClaim.beside(target, ".part");
+        claim = FileClaim.of(target, path);
+        BEGUN.add(claim.file());
+        BEGUN.add(part);
         try {
-            OutputStream opened = Files.newOutputStream(part, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
-            part.toFile().deleteOnExit();                     // should the program be told to stop before close
-            if (Files.exists(target) && part.getFileSystem().supportedFileAttributeViews().contains("posix")) {
-                Files.setPosixFilePermissions(part, Files.getPosixFilePermissions(target));
-            }
-            return opened;
-        } catch (AccessDeniedException e) {
-            throw (IOException) new FileSystemException(path.toString(), null, "its folder is write-protected").initCause(e);
+            out = new BufferedOutputStream(open(there));
+        } catch (IOException e) {
+            remove();
+            throw e;
         }
+    }
+
+    private OutputStream open(boolean there) throws IOException {
+        Files.deleteIfExists(part);                           // of a killed process
+        OutputStream opened = Files.newOutputStream(part, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
+        if (there && part.getFileSystem().supportedFileAttributeViews().contains("posix")) {
+            Files.setPosixFilePermissions(part, Files.getPosixFilePermissions(target));
+        }
+        return opened;
     }
 
     /** {@return where to write; to be closed by {@link #commit} or {@link #close}} */
@@ -82,8 +94,9 @@ public final class WholeFile implements Closeable {
      */
     public void commit() throws IOException {
         out.close();
-        if (!part.equals(target)) {
+        if (claim != null) {
             Files.move(part, target, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
+            BEGUN.remove(part);
         }
         whole = true;
     }
@@ -94,8 +107,33 @@ public final class WholeFile implements Closeable {
         try {
             out.close();
         } finally {
-            if (!whole && !part.equals(target)) {
+            remove();
+        }
+    }
+
+    private void remove() throws IOException {
+        if (claim == null || ended) {
+            return;
+        }
+        ended = true;
+        try {
+            if (!whole) {
                 Files.deleteIfExists(part);
+            }
+        } finally {
+            BEGUN.remove(part);
+            BEGUN.remove(claim.file());
+            claim.close();
+        }
+    }
+
+    /** The streams stay open: who still writes finds no error, and is about to end. */
+    private static void deleteBegun() {
+        for (Path path : BEGUN) {
+            try {
+                Files.deleteIfExists(path);
+            } catch (IOException e) {
+                continue;                                     // nobody is left to be told
             }
         }
     }

@@ -3,6 +3,7 @@ package simpleray.ui;
 import java.io.File;
 import java.io.IOException;
 import java.nio.file.FileSystemException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.concurrent.ExecutorService;
@@ -19,18 +20,23 @@ import simpleray.image.PictureFile;
 final class PictureDialogs {
     private final ViewerFrame frame;
     private final ExecutorService writer = Executors.newSingleThreadExecutor(task -> new Thread(task, "simpleray-saving"));
-    private File folder = new File("").getAbsoluteFile();
+    private final Preferences preferences;
+    private File folder;
 
-    PictureDialogs(ViewerFrame frame) {
+    PictureDialogs(ViewerFrame frame, Preferences preferences) {
         this.frame = frame;
+        this.preferences = preferences;
+        Path last = preferences.folder();
+        folder = last != null && Files.isDirectory(last) ? last.toFile() : new File("").getAbsoluteFile();
     }
 
     void open() {
         JFileChooser chooser = new JFileChooser(folder);
         chooser.setDialogTitle("Open Scene");
-        chooser.setFileFilter(new FileNameExtensionFilter("Scenes (*.scene, *.txt)", "scene", "txt"));
+        chooser.setFileFilter(new FileNameExtensionFilter("Scenes, and pictures that carry theirs (*.scene, *.txt, *.png)",
+            "scene", "txt", "png"));
         if (chooser.showOpenDialog(frame) == JFileChooser.APPROVE_OPTION) {
-            folder = chooser.getCurrentDirectory();
+            stayIn(chooser.getCurrentDirectory());
             frame.open(SceneSource.file(chooser.getSelectedFile().toPath()));
         }
     }
@@ -41,9 +47,9 @@ final class PictureDialogs {
         JFileChooser chooser = new JFileChooser(folder);
         chooser.setDialogTitle("Save Picture As");
         chooser.setFileFilter(new FileNameExtensionFilter("PNG pictures (*.png)", "png"));
-        chooser.setSelectedFile(new File(folder, suggestion()));
+        chooser.setSelectedFile(new File(folder, pictureName(frame.picture().source())));
         while (chooser.showSaveDialog(frame) == JFileChooser.APPROVE_OPTION) {
-            folder = chooser.getCurrentDirectory();
+            stayIn(chooser.getCurrentDirectory());
             File chosen = withExtension(chooser.getSelectedFile());
             if (!chosen.exists() || mayReplace(chosen)) {
                 write(picture, chosen.toPath());
@@ -52,8 +58,14 @@ final class PictureDialogs {
         }
     }
 
-    private String suggestion() {
-        String name = new File(frame.picture().source().name().replaceAll("[<>]", "")).getName();
+    private void stayIn(File other) {
+        folder = other;
+        preferences.setFolder(other.toPath());
+    }
+
+    /** {@return the name of a picture's file that the scene suggests} */
+    static String pictureName(SceneSource source) {
+        String name = new File(source.name().replaceAll("[<>]", "")).getName();
         int dot = name.lastIndexOf('.');
         return (dot > 0 ? name.substring(0, dot) : name) + ".png";
     }

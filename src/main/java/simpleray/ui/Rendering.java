@@ -1,36 +1,50 @@
 package simpleray.ui;
 
 import java.io.IOException;
-import java.nio.file.FileSystemException;
-import java.util.Queue;
+import java.util.List;
 import java.util.concurrent.CancellationException;
-import java.util.concurrent.ConcurrentLinkedQueue;
-import java.util.stream.Collectors;
 import simpleray.image.Picture;
+import simpleray.render.Explainer;
+import simpleray.render.PreparedScene;
 import simpleray.render.Progress;
+import simpleray.render.Provenance;
+import simpleray.render.Region;
 import simpleray.render.RenderRequest;
 import simpleray.render.Renderer;
+import simpleray.scene.Scene;
 import simpleray.scene.SceneFile;
+import simpleray.scene.SceneSettings;
 import simpleray.text.Problem;
 
 /**
- * One rendering for a window, on a thread of its own: reads the scene, renders it, and leaves finished rows in a queue. The window
- * polls; nothing here waits for it.
+ * One rendering for a window, on a thread of its own: reads the scene or takes the one that was read before, renders it, and leaves
+ * finished pieces in a queue. The window polls; nothing here waits for it.
  */
 final class Rendering {
     private static final long PATIENCE = 1000;                // milliseconds
 
     private final SceneSource source;
     private final RenderRequest request;
-    private final Queue<Row> rows = new ConcurrentLinkedQueue<>();
+    private Rendering before;                                 // whose scene is rendered again; null if it is to be read
+    private final Findings known;                             // to be shown beside it in place of those of the scene; none for these
+    private volatile Region region;                           // what comes first; null for nothing
+    private volatile boolean alone;
+    private final Pieces pieces = new Pieces();
     private final Thread thread;
 
-    private volatile State state = State.READING;
-    private volatile String problems = "";
+    private volatile State state;
+    private volatile Findings findings = Findings.NONE;       // about the scene
+    private volatile String failure = "";                     // what was not rendered
+    private volatile PreparedScene scene;
+    private volatile SceneFile file;                          // that of the scene
     private volatile Renderer renderer;
+    private volatile SceneSettings settings;
     private volatile Progress progress;
+    private volatile Canvas canvas;
+    private volatile long begun;
     private volatile double seconds;
     private volatile boolean cancelled;
+    private boolean paused;
 
     /** How far a rendering is. */
     enum State {
@@ -50,15 +64,36 @@ final class Rendering {
         }
     }
 
-    /** A finished row as a screen shows it: its number, and a packed RGB number for each pixel. */
-    record Row(int y, int[] rgb) {
+    /** Reads a scene and renders it. */
+    Rendering(SceneSource source, RenderRequest request, Region region, boolean alone) {
+        this(source, request, null, Findings.NONE, region, alone);
     }
 
-    Rendering(SceneSource source, RenderRequest request) {
+    /**
+     * Renders a scene that another rendering has read, once that has ended.
+     *
+     * @param before the other; it {@linkplain #hasScene has its scene}
+     * @param known what is wrong with a scene that was to be read since, and is to be shown all the same; nothing for the other's own
+     */
+    Rendering(Rendering before, Findings known, RenderRequest request, Region region, boolean alone) {
+        this(before.source, request, before, known, region, alone);
+    }
+
+    private Rendering(SceneSource source, RenderRequest request, Rendering before, Findings known, Region region, boolean alone) {
         this.source = source;
         this.request = request;
+        this.before = before;
+        this.known = known;
+        this.region = region;
+        this.alone = alone && region != null;
+        state = before == null ? State.READING : State.RENDERING;
         thread = new Thread(this::work, "simpleray-rendering");
         thread.setDaemon(true);
+    }
+
+    /** Sets what is done once the picture is there in coarse blocks, on some thread; before the start. */
+    void whenCoarse(Runnable task) {
+        pieces.whenCoarse(task);
     }
 
     void start() {
@@ -71,6 +106,22 @@ final class Rendering {
         if (current != null) {
             current.cancel();
         }
+    }
+
+    /** Holds the rendering, or lets it go on; its clock stands meanwhile. */
+    synchronized void setPaused(boolean hold) {
+        if (state.ended()) {
+            return;
+        }
+        paused = hold;
+        if (renderer != null) {
+            progress.pause(hold, System.nanoTime());
+            renderer.setPaused(hold);
+        }
+    }
+
+    synchronized boolean isPaused() {
+        return paused && !state.ended();
     }
 
     /**
@@ -92,24 +143,89 @@ final class Rendering {
         return request;
     }
 
-    /** {@return errors, or warnings once the scene was read; empty for none} */
+    SceneSource source() {
+        return source;
+    }
+
+    /** {@return whether the scene is there, so that it can be rendered again} */
+    boolean hasScene() {
+        return scene != null;
+    }
+
+    /** {@return errors, or warnings once the scene was read; in the end also what was not rendered; empty for none} */
     String problems() {
-        return problems;
+        String now = failure;
+        String scene = findings.text();
+        return now.isEmpty() ? scene : scene.isEmpty() ? now : now + "\n" + scene;
     }
 
-    /** {@return the next finished row; null if there is none just now} */
-    Row poll() {
-        return rows.poll();
+    /** {@return the errors or warnings that have a place; each stands as it is in {@link #problems}} */
+    List<Problem> places() {
+        return findings.places();
     }
 
-    boolean hasRows() {
-        return !rows.isEmpty();
+    /** {@return what is wrong with the scene: errors, or warnings once it was read} */
+    Findings findings() {
+        return findings;
     }
 
-    /** {@return the picture, whole once the state is FINISHED; null before it is begun} */
+    /** Lets go of all but the scene, after it was cancelled. */
+    void forget() {
+        renderer = null;
+        canvas = null;
+        pieces.clear();
+    }
+
+    /** {@return what is finished and not yet painted} */
+    Pieces pieces() {
+        return pieces;
+    }
+
+    /** {@return a blank canvas of the picture's size; null before rendering has begun} */
+    Canvas canvas() {
+        return canvas;
+    }
+
+    /** {@return whether all of what is rendered is there in coarse blocks} */
+    boolean isCoarse() {
+        return pieces.isCoarse();
+    }
+
+    /** {@return the nanoseconds since rendering began; negative before} */
+    long age(long now) {
+        return begun == 0 ? -1 : now - begun;
+    }
+
+    /** {@return what comes first, or alone; null for nothing} */
+    Region region() {
+        return region;
+    }
+
+    boolean isAlone() {
+        return alone;
+    }
+
+    /** {@return the picture; rows are set as they are finished; null before it is begun} */
     Picture picture() {
         Renderer current = renderer;
         return current == null ? null : current.picture();
+    }
+
+    /** {@return the scene, not to be changed; null until it is read} */
+    Scene scene() {
+        SceneFile current = file;
+        return current == null ? null : current.scene();
+    }
+
+    /** {@return the settings that the picture is made with, of the scene and of what was asked for; null until the scene is read} */
+    SceneSettings settings() {
+        return settings;
+    }
+
+    /** {@return what tells about the picture's pixels; null before it is begun} Not for the event thread: it may have to be made. */
+    Explainer explainer() {
+        Renderer current = renderer;
+        return current == null ? null : current.explainer();
     }
 
     /** {@return the progress; null before rendering has begun} */
@@ -117,7 +233,7 @@ final class Rendering {
         return progress;
     }
 
-    /** {@return how many seconds rendering took so far, or in all} */
+    /** {@return how many seconds rendering took so far, or in all, without pauses} */
     double seconds() {
         Progress current = progress;
         return current == null || state.ended() ? seconds : current.elapsed(System.nanoTime());
@@ -125,48 +241,76 @@ final class Rendering {
 
     private void work() {
         State end;
+        double took = Double.NaN;
         try {
-            SceneFile file = source.read();
-            problems = file.warnings().stream().map(Problem::toString).collect(Collectors.joining("\n"));
-            end = render(file);
+            boolean first = before == null;
+            end = render(prepared());
+            took = progress.elapsed(System.nanoTime());
+            if (first && end == State.FINISHED && !cancelled) {   // what is odd about a picture that is whole
+                findings = Findings.ofWhole(file, source.name());
+            }
         } catch (CancellationException e) {
             end = State.CANCELLED;
-        } catch (FileSystemException e) {
-            problems = source.name() + ": " + e.getReason();
-            end = State.FAILED;
-        } catch (IOException e) {                             // a bad scene's message is its whole report
-            problems = e.getMessage();
+        } catch (IOException e) {
+            findings = Findings.of(e, source.name());
             end = State.FAILED;
         } catch (RuntimeException | Error e) {
-            problems = "The program failed, which should not happen whatever the scene: " + e;
+            failure = "The program failed, which should not happen whatever the scene: " + e;
             end = State.FAILED;
         }
         Progress counted = progress;
-        seconds = counted == null ? 0 : counted.elapsed(System.nanoTime());
+        seconds = counted == null ? 0 : Double.isNaN(took) ? counted.elapsed(System.nanoTime()) : took;
         state = end;
     }
 
-    private State render(SceneFile file) {
-        Renderer current = request.renderer(file.scene());
-        Progress counter = new Progress(current.picture().height(), System.nanoTime());
-        progress = counter;
-        renderer = current;
+    /** Reads the scene; or takes that of the rendering before, when that has let go of it. */
+    private PreparedScene prepared() throws IOException {
+        Rendering last = before;
+        before = null;                                        // else each would keep all before it
+        if (last == null) {
+            SceneFile file = source.read();
+            this.file = file;
+            findings = Findings.of(file.warnings());
+            scene = new PreparedScene(file.scene());
+        } else {
+            last.cancel();
+            try {
+                last.thread.join();
+            } catch (InterruptedException e) {
+                throw new CancellationException("interrupted");
+            }
+            findings = known.isEmpty() ? last.findings : known;
+            scene = last.scene;
+            file = last.file;
+        }
+        return scene;
+    }
+
+    private State render(PreparedScene prepared) {
+        Renderer current = prepared.renderer(request);
+        Picture picture = current.picture();
+        picture.tell(Provenance.of(request, file));
+        settings = file.scene().settings;
+        if (region != null && !region.isWithin(picture.width(), picture.height())) {
+            region = null;                                    // that of a larger picture
+            alone = false;
+        }
+        Progress counter = new Progress(alone ? region.height() : picture.height(), System.nanoTime());
+        canvas = new Canvas(picture.width(), picture.height());
+        synchronized (this) {
+            progress = counter;
+            renderer = current;
+            counter.pause(paused, System.nanoTime());
+            current.setPaused(paused);
+        }
         if (cancelled) {                                      // cancel() came before there was a renderer to tell
             return State.CANCELLED;
         }
+        begun = System.nanoTime();
         state = State.RENDERING;
-        current.render(y -> {
-            rows.add(new Row(y, packed(current.picture().levels(y))));
-            counter.rowFinished();
-        });
-        return State.FINISHED;
-    }
-
-    private static int[] packed(byte[] levels) {
-        int[] rgb = new int[levels.length / 3];
-        for (int x = 0; x < rgb.length; x++) {
-            rgb[x] = 0xFF000000 | (levels[3 * x] & 0xFF) << 16 | (levels[3 * x + 1] & 0xFF) << 8 | levels[3 * x + 2] & 0xFF;
-        }
-        return rgb;
+        pieces.count(counter, alone ? region.width() : picture.width());
+        current.renderPasses(pieces, region, alone);
+        failure = pieces.faults().text();
+        return pieces.faults().isEmpty() ? State.FINISHED : State.FAILED;
     }
 }

@@ -5,15 +5,12 @@ import java.awt.Dimension;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.Rectangle;
-import java.awt.RenderingHints;
 import java.awt.image.BufferedImage;
-import javax.accessibility.AccessibleContext;
-import javax.accessibility.AccessibleRole;
-import javax.swing.JComponent;
-import javax.swing.Scrollable;
-import javax.swing.SwingConstants;
+import java.util.function.Consumer;
+import javax.swing.SwingUtilities;
 import javax.swing.Timer;
 import simpleray.image.Picture;
+import simpleray.render.Region;
 import simpleray.render.RenderRequest;
 import simpleray.scene.SceneSettings.Resolution;
 import simpleray.scene.SimpleCamera;
@@ -23,22 +20,31 @@ import simpleray.scene.SimpleCamera;
  * and a timer, the thesis's "kicker", repaints what has been finished, so that the user is kept aware of how far it is. All methods
  * are for the event thread.
  */
-public final class SimpleRay extends JComponent implements Runnable, Scrollable {
+public final class SimpleRay extends ZoomedComponent implements Runnable {
     private static final long serialVersionUID = 1L;
-    private static final int KICK = 40;                       // milliseconds between two looks for finished rows
+    private static final int KICK = 20;                       // milliseconds between two looks for finished pieces
     private static final long MOST_WORK = 8_000_000;          // nanoseconds that one look may take
-    private static final int LINE = 16;
+    /** Until the coarse picture is whole it waits so long before it shows a part of it, in nanoseconds: whole it comes without flicker. */
+    private static final long HOLD = 120_000_000;
+    /** What is asked for anew may wait so long for the picture before to be shown, in nanoseconds. */
+    private static final long MOST_WAIT = 250_000_000;
     private static final Color SURROUND = new Color(0x3C3F41);
 
     private final transient Timer kicker = new Timer(KICK, e -> run());
     private transient SceneSource source;
     private transient RenderRequest request;
-    private transient BufferedImage image;                    // touched by the event thread alone
+    private transient Canvas canvas;                          // touched by the event thread alone
+    private transient BufferedImage image;                    // the canvas's
     private transient Rendering rendering;
+    private transient Rendering read;                         // the last one that has read the scene
+    private transient boolean again;                          // another one is to follow as soon as this one is shown
+    private transient boolean kept;                           // what is shown stays until this one's pieces come over it
+    private final transient RegionTool regions = new RegionTool(this);
     private transient Picture whole;                          // the picture that is shown, once all its rows are
-    private transient boolean shown;                                // a row of this rendering is in the image
-    private transient boolean fitted;
+    private transient boolean shown;                          // a piece of this rendering is in the image
+    private transient BufferedImage marks;                    // painted over the picture; null for none
     private transient Runnable listener = () -> { };
+    private transient Consumer<Graphics2D> mark = canvas -> { };
 
     /**
      * Creates the component; {@link #init} and {@link #start} follow.
@@ -58,68 +64,137 @@ public final class SimpleRay extends JComponent implements Runnable, Scrollable 
     /** Makes an empty picture, of the size that was asked for until the scene's file says another. */
     public void init() {
         Resolution asked = request.settings().resolution;
-        empty(asked == null ? new Resolution(SimpleCamera.DEFAULT_RESOLUTION, SimpleCamera.DEFAULT_RESOLUTION) : asked);
+        show(asked == null ? new Canvas(SimpleCamera.DEFAULT_RESOLUTION, SimpleCamera.DEFAULT_RESOLUTION)
+            : new Canvas(asked.width(), asked.height()));
     }
 
-    private void empty(Resolution size) {
-        boolean same = image != null && image.getWidth() == size.width() && image.getHeight() == size.height();
-        image = new BufferedImage(size.width(), size.height(), BufferedImage.TYPE_INT_ARGB);
+    private void show(Canvas next) {
+        boolean same = canvas != null && next.isOf(image.getWidth(), image.getHeight());
+        canvas = next;
+        image = next.image();
         whole = null;
         if (!same) {
-            revalidate();
+            resized();
         }
         repaint();
     }
 
-    /** Starts to render anew; what is still being rendered is cancelled. The picture before it stays until a first row is finished. */
+    /** Starts to render anew; what is still being rendered is cancelled. The picture before it stays until there is something to show. */
     public void start() {
+        begin(new Rendering(source, request, regions.region(), regions.isAlone()), false);
+    }
+
+    /**
+     * Renders the scene that was last read as is asked for now, by another camera for example. May be called as often as the mouse moves:
+     * while the picture before is not yet seen, it waits for that a short time.
+     */
+    public void restart() {
+        again = true;
+        if (rendering == null || !kicker.isRunning() && lastRead() == null) {
+            start();
+        } else {
+            restartIfReady();
+        }
+    }
+
+    @SuppressWarnings("ReferenceEquality")                    // the very request, not one like it
+    private void restartIfReady() {
+        boolean ended = rendering.state().ended();
+        if (again && (ended || rendering.hasScene() && (shown || rendering.age(System.nanoTime()) > MOST_WAIT))) {
+            Rendering last = lastRead();
+            if (last != null) {
+                Findings known = last == rendering ? Findings.NONE : rendering.findings();
+                begin(new Rendering(last, known, request, regions.region(), regions.isAlone()), shown && request == rendering.request());
+            }
+            again = false;
+        }
+    }
+
+    /** {@return the last rendering that has read the present source; null if none did} */
+    private Rendering lastRead() {
+        Rendering last = rendering.hasScene() ? rendering : read;
+        return last != null && last.source() == source ? last : null;
+    }
+
+    private void begin(Rendering next, boolean keep) {
         stop();
+        if (rendering != null && rendering.hasScene()) {
+            read = rendering;
+            read.forget();
+        }
         shown = false;
-        rendering = new Rendering(source, request);
-        rendering.start();
+        kept = keep;
+        rendering = next;
+        next.whenCoarse(() -> SwingUtilities.invokeLater(this));   // at once, not when the kicker comes
+        next.start();
         kicker.start();
         listener.run();
     }
 
     /** Cancels what is being rendered. Its threads end soon; this does not wait for them. */
     public void stop() {
+        again = false;
         if (rendering != null) {
             rendering.cancel();
         }
     }
 
-    /** Called by the "kicker": shows the rows that were finished since, for a short time at most, and tells the listener. */
+    /** Holds what is being rendered, or lets it go on. */
+    void setPaused(boolean hold) {
+        if (rendering != null) {
+            rendering.setPaused(hold);
+            listener.run();
+        }
+    }
+
+    /** {@return whether what is being rendered is held} */
+    boolean isPaused() {
+        return rendering != null && rendering.isPaused();
+    }
+
+    /** Called by the "kicker": shows what was finished since, for a short time at most, and tells the listener. */
     @Override
     public void run() {
-        boolean ended = rendering.state().ended();            // asked first: then no row comes after the last one seen
-        long begin = System.nanoTime();
-        Rectangle changed = new Rectangle(0, 0, -1, -1);      // none: an empty one at 0, 0 would stay part of any sum
-        while (System.nanoTime() - begin < MOST_WORK) {
-            Rendering.Row row = rendering.poll();
-            if (row == null) {
-                break;
-            }
-            if (!shown) {                                     // no row of the picture before may pass for one of this
-                Picture picture = rendering.picture();
-                empty(new Resolution(picture.width(), picture.height()));
-                shown = true;
-            }
-            image.setRGB(0, row.y(), image.getWidth(), 1, row.rgb(), 0, image.getWidth());
-            changed.add(new Rectangle(0, row.y(), image.getWidth(), 1));
+        boolean ended = rendering.state().ended();            // asked first: then no piece comes after the last one seen
+        boolean given = rendering.state() == Rendering.State.CANCELLED && !shown;   // up, before it could be seen
+        long now = System.nanoTime();
+        if (!rendering.pieces().isEmpty() && !given && (shown || ended || rendering.isCoarse() || rendering.age(now) > HOLD)) {
+            showPieces(now + MOST_WORK);
         }
+        if (ended && (given || rendering.pieces().isEmpty())) {
+            kicker.stop();
+            if (rendering.state() == Rendering.State.FINISHED && !rendering.isAlone()) {
+                whole = rendering.picture();
+            }
+        }
+        listener.run();
+        restartIfReady();
+    }
+
+    private void showPieces(long end) {
+        if (!shown) {                                         // no pixel of the picture before may pass for one of this
+            showFirst();
+        }
+        Rectangle changed = rendering.pieces().paint(canvas, end);
         if (!changed.isEmpty()) {
             Rectangle place = place();
             double scale = place.getWidth() / image.getWidth();
             int top = place.y + (int) Math.floor(changed.y * scale) - 1;
             repaint(0, top, getWidth(), (int) Math.ceil(changed.height * scale) + 2);
         }
-        if (ended && !rendering.hasRows()) {
-            kicker.stop();
-            if (rendering.state() == Rendering.State.FINISHED) {
-                whole = rendering.picture();
-            }
+    }
+
+    /** Where nothing but the region is another, the picture that is there already holds what comes. */
+    private void showFirst() {
+        Canvas next = rendering.canvas();
+        regions.fit(next.image().getWidth(), next.image().getHeight());
+        if (kept && next.isOf(image.getWidth(), image.getHeight())) {
+            canvas.reopen(rendering.isAlone() ? rendering.region() : Region.whole(image.getWidth(), image.getHeight()));
+            whole = null;
+        } else {
+            show(next);
         }
-        listener.run();
+        shown = true;
     }
 
     /**
@@ -129,17 +204,19 @@ public final class SimpleRay extends JComponent implements Runnable, Scrollable 
      */
     @Override
     public void paint(Graphics g) {
-        Graphics2D canvas = (Graphics2D) g.create();
-        canvas.setColor(SURROUND);
-        canvas.fillRect(0, 0, getWidth(), getHeight());
+        Graphics2D screen = (Graphics2D) g.create();
+        screen.setColor(SURROUND);
+        screen.fillRect(0, 0, getWidth(), getHeight());
         Rectangle place = place();
-        if (image != null && !place.isEmpty()) {
-            boolean shrunk = place.width < image.getWidth();
-            canvas.setRenderingHint(RenderingHints.KEY_INTERPOLATION,
-                shrunk ? RenderingHints.VALUE_INTERPOLATION_BILINEAR : RenderingHints.VALUE_INTERPOLATION_NEAREST_NEIGHBOR);
-            canvas.drawImage(image, place.x, place.y, place.width, place.height, null);
+        if (!place.isEmpty()) {
+            ZoomPainter.paint(screen, image, placed(), ui());
+            if (marks != null) {
+                ZoomPainter.paint(screen, marks, placed(), ui());
+            }
+            regions.paint(screen, place);
+            mark.accept(screen);
         }
-        canvas.dispose();
+        screen.dispose();
     }
 
     /**
@@ -152,12 +229,14 @@ public final class SimpleRay extends JComponent implements Runnable, Scrollable 
         paint(g);
     }
 
-    /** {@return where the picture is: in the middle, at 100 %, or as large as fits} */
-    Rectangle place() {
-        double scale = fitted ? Math.min((double) getWidth() / image.getWidth(), (double) getHeight() / image.getHeight()) : 1;
-        int width = (int) Math.round(image.getWidth() * scale);
-        int height = (int) Math.round(image.getHeight() * scale);
-        return new Rectangle(Math.max(0, (getWidth() - width) / 2), Math.max(0, (getHeight() - height) / 2), width, height);
+    /** Sets what is painted over the picture. */
+    void setMark(Consumer<Graphics2D> other) {
+        mark = other;
+    }
+
+    /** {@return the region that is rendered first, or alone, and the mouse that draws it} */
+    RegionTool regions() {
+        return regions;
     }
 
     void setSource(SceneSource other) {
@@ -176,11 +255,12 @@ public final class SimpleRay extends JComponent implements Runnable, Scrollable 
         return request;
     }
 
-    /** Shows the picture as large as fits, or at 100 %. */
-    void setFitted(boolean fit) {
-        fitted = fit;
-        revalidate();
-        repaint();
+    /** Sets what is painted over the picture, of its size; null for nothing. */
+    void setMarks(BufferedImage other) {
+        if (marks != other) {
+            marks = other;
+            repaint();
+        }
     }
 
     /** Sets who is told, on the event thread, that something may have changed. */
@@ -193,7 +273,7 @@ public final class SimpleRay extends JComponent implements Runnable, Scrollable 
         return rendering;
     }
 
-    /** {@return whether rows are still to come} */
+    /** {@return whether there is more to come} */
     boolean isBusy() {
         return kicker.isRunning();
     }
@@ -203,54 +283,13 @@ public final class SimpleRay extends JComponent implements Runnable, Scrollable 
         return whole;
     }
 
-    /** {@return the size of what is shown} */
+    /** {@return what is shown, pixel for pixel; pixels that were not painted are transparent} Not to be changed. */
+    BufferedImage painted() {
+        return image;
+    }
+
+    @Override
     Dimension size100() {
         return new Dimension(image.getWidth(), image.getHeight());
-    }
-
-    @Override
-    public AccessibleContext getAccessibleContext() {
-        if (accessibleContext == null) {
-            accessibleContext = new AccessibleJComponent() {
-                private static final long serialVersionUID = 1L;
-
-                @Override
-                public AccessibleRole getAccessibleRole() {
-                    return AccessibleRole.CANVAS;
-                }
-            };
-            accessibleContext.setAccessibleName("Picture");
-        }
-        return accessibleContext;
-    }
-
-    @Override
-    public Dimension getPreferredSize() {
-        return new Dimension(image.getWidth(), image.getHeight());
-    }
-
-    @Override
-    public Dimension getPreferredScrollableViewportSize() {
-        return getPreferredSize();
-    }
-
-    @Override
-    public int getScrollableUnitIncrement(Rectangle visible, int orientation, int direction) {
-        return LINE;
-    }
-
-    @Override
-    public int getScrollableBlockIncrement(Rectangle visible, int orientation, int direction) {
-        return orientation == SwingConstants.VERTICAL ? visible.height : visible.width;
-    }
-
-    @Override
-    public boolean getScrollableTracksViewportWidth() {
-        return fitted || getParent().getWidth() > image.getWidth();
-    }
-
-    @Override
-    public boolean getScrollableTracksViewportHeight() {
-        return fitted || getParent().getHeight() > image.getHeight();
     }
 }

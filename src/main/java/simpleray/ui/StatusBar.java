@@ -2,7 +2,11 @@ package simpleray.ui;
 
 import java.awt.BorderLayout;
 import java.awt.Dimension;
+import java.awt.event.ComponentAdapter;
+import java.awt.event.ComponentEvent;
 import javax.swing.BorderFactory;
+import javax.swing.Box;
+import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JProgressBar;
@@ -11,26 +15,57 @@ import simpleray.render.Progress;
 /** One line that says how far the rendering is: rows done, time gone, time left, size. */
 final class StatusBar extends JPanel {
     private static final long serialVersionUID = 1L;
+    private static final int GAP = 12;
+    /** Where there is less room than this, the progress in words has what the bar and the size would take. */
+    private static final int NARROW = 480;
 
     private final JLabel text = new JLabel(" ");
     private final JLabel size = new JLabel();
+    private final JLabel pixel = new JLabel(" ");
+    private final Box right = Box.createHorizontalBox();
     private final JProgressBar bar = new JProgressBar();
 
     StatusBar() {
-        super(new BorderLayout(12, 0));
+        super(new BorderLayout(GAP, 0));
         setBorder(BorderFactory.createEmptyBorder(4, 10, 4, 10));
         text.setName("status");
         text.getAccessibleContext().setAccessibleName("Status");
         bar.getAccessibleContext().setAccessibleName("Progress");
         size.setName("size");
+        pixel.setName("pixel");
+        pixel.getAccessibleContext().setAccessibleName("Pixel");
         add(bar, BorderLayout.WEST);
         add(text, BorderLayout.CENTER);
-        add(size, BorderLayout.EAST);
+        right.add(size);
+        add(right, BorderLayout.EAST);
+        add(pixel, BorderLayout.SOUTH);
+        addComponentListener(new ComponentAdapter() {
+            @Override
+            public void componentResized(ComponentEvent e) {
+                boolean wide = getWidth() >= NARROW;
+                size.setVisible(wide);
+                bar.setPreferredSize(wide ? null : new Dimension(NARROW / 8, bar.getMinimumSize().height));
+                revalidate();
+            }
+        });
+    }
+
+    /** Adds something at the right end. */
+    void addRight(JComponent other) {
+        right.add(Box.createHorizontalStrut(GAP));
+        right.add(other);
     }
 
     /** Shows a short message in place of the progress. */
     void say(String message) {
         text.setText(message);
+        text.setToolTipText(message);
+    }
+
+    /** Shows a line about a pixel, or a blank. */
+    void showPixel(String line) {
+        pixel.setText(line);
+        pixel.setToolTipText(line.isBlank() ? null : line);   // a narrow window cuts it
     }
 
     void show(Rendering rendering, Dimension shown) {
@@ -42,9 +77,9 @@ final class StatusBar extends JPanel {
         bar.setVisible(!rendering.state().ended());
         size.setText(shown.width + " \u00D7 " + shown.height + ", " + rendering.request().stage());
         String counted = done + " of " + rows + " rows, " + Progress.time(rendering.seconds());
-        text.setText(switch (rendering.state()) {
+        say(switch (rendering.state()) {
             case READING -> "Reading the scene";
-            case RENDERING -> "Rendering: " + counted + ", "
+            case RENDERING -> rendering.isPaused() ? "Paused: " + counted : "Rendering: " + counted + ", "
                 + Progress.time(progress == null ? Double.NaN : progress.left(System.nanoTime())) + " left";
             case FINISHED -> "Finished: " + counted;
             case CANCELLED -> "Cancelled: " + counted;

@@ -1,6 +1,5 @@
 package simpleray.ui;
 
-import com.formdev.flatlaf.FlatLightLaf;
 import java.awt.AWTError;
 import java.awt.GraphicsEnvironment;
 import java.awt.HeadlessException;
@@ -26,19 +25,37 @@ public final class Viewer {
     }
 
     /**
-     * Opens the window, and returns when it was closed and all its threads have ended. Not for the event thread.
+     * Opens the window with the look that was chosen last. Not for the event thread.
      *
      * @param source the scene
      * @param request what is asked for beside the scene file
      */
     public static void view(SceneSource source, RenderRequest request) {
+        view(source, request, null);
+    }
+
+    /**
+     * Opens the window, and returns when it was closed and all its threads have ended. Not for the event thread.
+     *
+     * @param source the scene
+     * @param request what is asked for beside the scene file
+     * @param asked the look; null for the one that was chosen last
+     */
+    public static void view(SceneSource source, RenderRequest request, Look asked) {
+        Preferences preferences = Preferences.load(PreferencesFile.find());
+        Look look = asked == null ? preferences.look() : asked;
+        boolean dark = look.isDark();
         CountDownLatch closed = new CountDownLatch(1);
         AtomicReference<ViewerFrame> frame = new AtomicReference<>();
         try {
             SwingUtilities.invokeAndWait(() -> {
-                FlatLightLaf.setup();
-                frame.set(new ViewerFrame(source, request, closed::countDown));
-                frame.get().setVisible(true);
+                Look.install(dark);
+                frame.set(new ViewerFrame(source, request, preferences, look, closed::countDown));
+                if (Rehearsal.isAskedFor()) {
+                    Rehearsal.begin(frame.get());
+                } else {
+                    frame.get().setVisible(true);
+                }
             });
             closed.await();
             frame.get().await();

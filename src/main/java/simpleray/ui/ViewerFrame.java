@@ -2,14 +2,16 @@ package simpleray.ui;
 
 import java.awt.BorderLayout;
 import java.awt.Dimension;
-import java.awt.Font;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.io.File;
+import javax.swing.BorderFactory;
+import javax.swing.JComponent;
 import javax.swing.JFrame;
 import javax.swing.JScrollPane;
 import javax.swing.JSplitPane;
-import javax.swing.JTextArea;
+import javax.swing.SwingUtilities;
+import javax.swing.Timer;
 import simpleray.render.RenderRequest;
 import simpleray.render.Stage;
 
@@ -18,29 +20,57 @@ final class ViewerFrame extends JFrame {
     private static final long serialVersionUID = 1L;
     private static final Dimension LEAST = new Dimension(760, 560);
     private static final int DIVIDER = 6;
-    private static final int MOST_PROBLEM_LINES = 6;
+    private static final double HALF = 0.5;
+    private static final String GONE = "gone";
+    /** Milliseconds that a file with errors, found changed, has to become whole: whoever writes it may not be done. */
+    private static final int PATIENCE = 400;
 
     private final transient SimpleRay picture;
-    private final JTextArea problems = new JTextArea();
+    private final transient EditedScene scene = new EditedScene(this);
+    private final ProblemsPane problems = new ProblemsPane(scene::goTo);
+    private final Banner banner = new Banner();
     private final JSplitPane split;
+    private final JSplitPane beside = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT);
     private final StatusBar status = new StatusBar();
-    private final transient PictureDialogs dialogs = new PictureDialogs(this);
+    private final transient PictureDialogs dialogs;
+    private final transient DesktopActions desktop;
+    private final transient Inspector inspector;
     private final transient ViewerMenus menus;
+    private final transient CameraMenu camera;
     private final transient Runnable closed;
+    private final transient Timer patience = new Timer(PATIENCE, e -> believe());
+    private transient SceneSource opened = SceneSource.NONE;
+    private transient volatile SceneWatcher watcher;          // null if the scene is no file
+    private transient Rendering doubted;                      // one of a file that may be half-written
+    private transient boolean doubting;                       // the next rendering is such a one
+    private transient Rendering told;                         // whose problems are shown
+    private String toldText = "";
 
+    /** A window that remembers nothing and leaves the look as it is. */
     ViewerFrame(SceneSource source, RenderRequest request, Runnable closed) {
+        this(source, request, Preferences.none(), Look.LIGHT, closed);
+    }
+
+    ViewerFrame(SceneSource source, RenderRequest request, Preferences preferences, Look look, Runnable closed) {
         this.closed = closed;
         picture = new SimpleRay(source, request);
-        problems.setName("problems");
-        problems.getAccessibleContext().setAccessibleName("Problems of the scene");
-        problems.setEditable(false);
-        problems.setFont(new Font(Font.MONOSPACED, Font.PLAIN, problems.getFont().getSize()));
-        split = new JSplitPane(JSplitPane.VERTICAL_SPLIT, new JScrollPane(picture), null);
+        patience.setRepeats(false);
+        beside.setLeftComponent(new JScrollPane(picture));
+        beside.setBorder(BorderFactory.createEmptyBorder());
+        beside.setResizeWeight(HALF);
+        beside.setDividerSize(0);                             // until the scene's text is shown
+        split = new JSplitPane(JSplitPane.VERTICAL_SPLIT, beside, null);
         split.setResizeWeight(1);
         split.setDividerSize(0);                              // until there are problems to show
-        menus = new ViewerMenus(this, dialogs);
+        inspector = new Inspector(picture, status::showPixel, status::say);
+        dialogs = new PictureDialogs(this, preferences);
+        desktop = new DesktopActions(this, preferences, look);
+        menus = new ViewerMenus(this, dialogs, desktop);
+        camera = new CameraMenu(this);
+        menus.bar().add(camera.menu(), menus.bar().getMenuCount() - 1);   // Help stays the last
         setJMenuBar(menus.bar());
-        add(split, BorderLayout.CENTER);
+        add(banner, BorderLayout.NORTH);
+        add(inspector.beside(split), BorderLayout.CENTER);
         add(status, BorderLayout.SOUTH);
         setDefaultCloseOperation(DO_NOTHING_ON_CLOSE);
         addWindowListener(new WindowAdapter() {
@@ -50,28 +80,102 @@ final class ViewerFrame extends JFrame {
             }
         });
         picture.setListener(this::refresh);
+        status.addRight(new ZoomLabel(picture));
         pack();
         Dimension screen = getToolkit().getScreenSize();
         setMinimumSize(new Dimension(320, 240));
         setSize(Math.min(screen.width, Math.max(LEAST.width, getWidth())), Math.min(screen.height, Math.max(LEAST.height, getHeight())));
         validate();                                           // problems that are known at once find how high the window is
         setLocationByPlatform(true);
+        desktop.placeWindow();
         open(source);
+    }
+
+    Inspector inspector() {
+        return inspector;
     }
 
     SimpleRay picture() {
         return picture;
     }
 
-    /** Shows another scene. The picture of the one before stays until a first row is finished: the other may have errors. */
+    DesktopActions desktop() {
+        return desktop;
+    }
+
+    Banner banner() {
+        return banner;
+    }
+
+    EditedScene scene() {
+        return scene;
+    }
+
+    /**
+     * Shows another scene, once nothing is lost by that. The picture of the one before stays until a first row is finished: the other
+     * may have errors.
+     */
     void open(SceneSource source) {
-        picture.setSource(source);
-        setTitle(source.name().isEmpty() ? "SimpleRay" : new File(source.name()).getName() + " - SimpleRay");
-        if (source == SceneSource.NONE) {
-            status.say("Open a scene file: File > Open\u2026");
-            refreshMenus();
+        scene.leave(() -> {
+            camera.forget();
+            opened = source;
+            picture.setSource(source);
+            desktop.opened(source);
+            banner.hide(GONE);
+            watch(source);
+            scene.open(source);
+            if (source == SceneSource.NONE) {
+                status.say("Open a scene file: File > Open\u2026");
+                refreshMenus();
+            } else {
+                picture.start();
+            }
+        });
+    }
+
+    private void watch(SceneSource source) {
+        if (watcher != null) {
+            watcher.close();
+        }
+        watcher = source.path() == null ? null : new SceneWatcher(source.path(), this::heard);
+        if (watcher != null) {
+            watcher.start();
+        }
+    }
+
+    private void heard(SceneWatcher.News news) {
+        if (news == SceneWatcher.News.DELETED) {
+            patience.stop();                                  // what could not be read is no longer there
+            String name = new File(opened.name()).getName();
+            banner.show(GONE, name + " was deleted; the picture is the last one read");
         } else {
-            picture.start();
+            banner.hide(GONE);
+            scene.fileChanged();
+        }
+    }
+
+    /** Says that the scene's file is now as this program wrote it. Any thread may call. */
+    void wroteScene() {
+        SceneWatcher current = watcher;
+        if (current != null) {
+            current.wrote();
+        }
+    }
+
+    void refreshTitle() {
+        String name = new File(opened.name()).getName();
+        setTitle(name.isEmpty() ? "SimpleRay" : (scene.isChanged() ? "*" : "") + name + " - SimpleRay");
+        getRootPane().putClientProperty("Window.documentModified", scene.isChanged());      // a Mac's own sign
+    }
+
+    /** Shows something beside the picture; null for nothing. */
+    void showBeside(JComponent component) {
+        beside.setRightComponent(component);
+        beside.setDividerSize(component == null ? 0 : DIVIDER);
+        validate();
+        if (component != null) {
+            beside.setDividerLocation(HALF);
+            validate();
         }
     }
 
@@ -88,14 +192,65 @@ final class ViewerFrame extends JFrame {
         }
     }
 
+    /** Renders another text of the scene. */
+    void render(SceneSource source) {
+        picture.setSource(source);
+        render();
+    }
+
+    /** Renders the scene as it was found on the disk. If it has errors, they are shown only if it does not change again at once. */
+    void reload(SceneSource source) {
+        patience.stop();
+        picture.setSource(source);
+        doubting = true;
+        picture.start();                                      // which may have failed before this returns
+    }
+
+    /** Sets how many milliseconds a file has to become whole before its errors are shown. */
+    void setPatience(int milliseconds) {
+        patience.setInitialDelay(milliseconds);
+    }
+
+    /** Goes to the next problem, or to the one before. */
+    void stepProblem(int by) {
+        problems.step(by);
+    }
+
+    /** Shows how far the rendering is, in place of a message. */
+    void showProgress() {
+        if (picture.rendering() != null) {
+            status.show(picture.rendering(), picture.size100());
+        }
+    }
+
     void say(String message) {
         status.say(message);
     }
 
-    /** Closes the window and ends its threads. */
+    /** Follows a new look where Swing does not: in what is not shown just now. */
+    void lookChanged() {
+        SwingUtilities.updateComponentTreeUI(problems);
+        if (scene.editor() != null) {
+            SwingUtilities.updateComponentTreeUI(scene.editor());
+        }
+    }
+
+    /** Closes the window and ends its threads, once nothing is lost by that. */
     void close() {
+        scene.leave(this::end);
+    }
+
+    private void end() {
+        patience.stop();
         picture.stop();
+        if (watcher != null) {
+            watcher.close();
+        }
+        scene.close();
+        inspector.close();
+        desktop.close();
         dialogs.close();
+        camera.close();
         dispose();
         closed.run();
     }
@@ -106,29 +261,56 @@ final class ViewerFrame extends JFrame {
         if (rendering != null) {
             rendering.await();
         }
+        if (watcher != null) {
+            watcher.await();
+        }
+        scene.await();
+        inspector.await();
         dialogs.await();
+        camera.await();
+        desktop.await();
     }
 
     private void refresh() {
         Rendering rendering = picture.rendering();
+        if (doubting) {
+            doubted = rendering;
+            doubting = false;
+        }
+        if (rendering == doubted && rendering.state() == Rendering.State.FAILED) {
+            if (!patience.isRunning() && banner.message(GONE) == null) {
+                patience.start();
+            }
+            return;
+        }
         status.show(rendering, picture.size100());
-        if (rendering.state() != Rendering.State.READING) {
-            showProblems(rendering.problems());
+        inspector.update(rendering);
+        String text = rendering.problems();
+        if (rendering.state() != Rendering.State.READING && (rendering != told || !text.equals(toldText))) {
+            told = rendering;
+            toldText = text;
+            showProblems(rendering);
+            scene.markProblems(rendering);
         }
         refreshMenus();
     }
 
-    private void refreshMenus() {
-        menus.refresh(picture.isBusy(), picture.whole() != null && !picture.isBusy(), picture.source() != SceneSource.NONE);
+    /** Takes the errors of a file that did not change any more for what they are. */
+    private void believe() {
+        doubted = null;
+        refresh();
     }
 
-    private void showProblems(String text) {
+    private void refreshMenus() {
+        menus.refresh(picture.isBusy(), picture.whole() != null && !picture.isBusy(), opened != SceneSource.NONE);
+    }
+
+    private void showProblems(Rendering rendering) {
+        String text = rendering.problems();
         if (text.equals(problems.getText())) {
-            return;
+            return;                                           // the same as before: what is selected stays so
         }
-        problems.setText(text);
-        problems.setCaretPosition(0);
-        problems.setRows(Math.min(MOST_PROBLEM_LINES, problems.getLineCount() + 1));   // one for a scroll bar
+        problems.show(text, rendering.places());
         JScrollPane pane = text.isEmpty() ? null : new JScrollPane(problems);
         split.setBottomComponent(pane);
         split.setDividerSize(pane == null ? 0 : DIVIDER);

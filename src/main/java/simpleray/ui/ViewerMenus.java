@@ -5,6 +5,7 @@ import java.awt.event.KeyEvent;
 import javax.swing.AbstractAction;
 import javax.swing.Action;
 import javax.swing.ButtonGroup;
+import javax.swing.JCheckBoxMenuItem;
 import javax.swing.JMenu;
 import javax.swing.JMenuBar;
 import javax.swing.JRadioButtonMenuItem;
@@ -17,15 +18,29 @@ final class ViewerMenus {
     private final Action save;
     private final Action render;
     private final Action cancel;
+    private final Action pause;
+    private final Action regionOnly;
+    private final SimpleRay picture;
+    private final SceneMenu scene;
+    private final DesktopActions desktop;
 
-    ViewerMenus(ViewerFrame frame, PictureDialogs dialogs) {
+    ViewerMenus(ViewerFrame frame, PictureDialogs dialogs, DesktopActions desktop) {
+        this.desktop = desktop;
         save = action("Save Picture As\u2026", "control S", dialogs::save);
-        render = action("Re-render", "F5", frame::render);
+        picture = frame.picture();
+        render = action("Reload", "control R", frame::render);
+        desktop.addKey(render, "F5");
+        pause = action("Pause", "SPACE", () -> picture.setPaused(!picture.isPaused()));
+        regionOnly = action("Region Only", "G", () -> picture.regions().setAlone(!picture.regions().isAlone()));
         cancel = action("Cancel", "ESCAPE", () -> frame.picture().stop());
 
         JMenu file = menu("File", KeyEvent.VK_F);
         file.add(action("Open\u2026", "control O", dialogs::open));
+        desktop.addOpening(file);
+        file.add(render);
+        file.addSeparator();
         file.add(save);
+        desktop.addCopying(file);
         file.addSeparator();
         file.add(action("Quit", "control Q", frame::close));
 
@@ -38,17 +53,34 @@ final class ViewerMenus {
         addStage(stage, one, frame, Stage.AMBIENT, "Ambient Term", "A");
         addStage(stage, one, frame, Stage.DIFFUSE, "Diffuse Term", "D");
         addStage(stage, one, frame, Stage.SPECULAR, "Specular Term", "S");
+        stage.addSeparator();
+        addStage(stage, one, frame, Stage.NORMALS, "Normals", "N");
+        addStage(stage, one, frame, Stage.DEPTH, "Depth", "Z");
+        addStage(stage, one, frame, Stage.OBJECTS, "Object Numbers", "O");
+        addStage(stage, one, frame, Stage.BOUNCES, "Bounces of Rays", "R");
+        addStage(stage, one, frame, Stage.SHADOWS, "Shadows", "M");
 
+        scene = new SceneMenu(frame);
         JMenu view = menu("View", KeyEvent.VK_V);
-        ButtonGroup zoom = new ButtonGroup();
-        JRadioButtonMenuItem actual = radio(zoom, action("Actual Size", "control 0", () -> frame.picture().setFitted(false)));
-        actual.setSelected(true);
-        view.add(actual);
-        view.add(radio(zoom, action("Fit to Window", "F", () -> frame.picture().setFitted(true))));
+        new ZoomTool(frame.picture()).addTo(view);
+        view.addSeparator();
+        view.add(action("Region\u2026", "shift G", () -> picture.regions().ask()));
+        view.add(new JCheckBoxMenuItem(regionOnly));
+        view.addSeparator();
+        view.add(scene.text());
+
+        bar.add(InspectMenu.of(frame.inspector()));
+
+        desktop.comparison().addTo(view);
+        view.addSeparator();
+        view.add(desktop.lookMenu());
 
         JMenu run = menu("Render", KeyEvent.VK_R);
-        run.add(render);
+        run.add(new JCheckBoxMenuItem(pause));
         run.add(cancel);
+        bar.add(scene.menu());
+        bar.add(desktop.comparison().menu());
+        bar.add(desktop.helpMenu());
     }
 
     JMenuBar bar() {
@@ -60,6 +92,11 @@ final class ViewerMenus {
         save.setEnabled(whole);
         render.setEnabled(scene);
         cancel.setEnabled(busy);
+        pause.setEnabled(busy);
+        pause.putValue(Action.SELECTED_KEY, picture.isPaused());
+        regionOnly.putValue(Action.SELECTED_KEY, picture.regions().isAlone());
+        this.scene.refresh(scene);
+        desktop.refresh();
     }
 
     private JMenu menu(String name, int mnemonic) {
@@ -81,7 +118,7 @@ final class ViewerMenus {
         return item;
     }
 
-    private static Action action(String name, String key, Runnable task) {
+    static Action action(String name, String key, Runnable task) {
         Action action = new AbstractAction(name) {
             private static final long serialVersionUID = 1L;
 
@@ -90,7 +127,7 @@ final class ViewerMenus {
                 task.run();
             }
         };
-        action.putValue(Action.ACCELERATOR_KEY, KeyStroke.getKeyStroke(key));
+        action.putValue(Action.ACCELERATOR_KEY, key == null ? null : KeyStroke.getKeyStroke(key));
         return action;
     }
 }

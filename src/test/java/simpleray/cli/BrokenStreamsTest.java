@@ -40,7 +40,7 @@ class BrokenStreamsTest {
         Program.Result result = InProcess.run(faulty, OutputStream.nullOutputStream(), "print", "-");
 
         assertThat(result.err()).startsWith("simpleray: internal error, which should not happen whatever the input: "
-            + "java.lang.IllegalStateException: a fault of the test\n").contains("\n\tat simpleray.scene.Scene.read(");
+            + "java.lang.IllegalStateException: a fault of the test\n").contains("\n\tat simpleray.scene.SceneFile.read(");
         assertThat(result.exitCode()).isEqualTo(ExitCode.INTERNAL);
     }
 

@@ -58,10 +58,12 @@ class ExitCodesTest {
 
     @Test
     void aPictureTooLargeForTheMemoryIs71AndNothingIsBegun() {
-        // 65535 rows of 65535 × 24 + 24 bytes, and 16 MiB for all else
-        Program.Result result = InProcess.run("render", scene.toString(), "-o", out.toString(), "--size", "65535x65535");
+        // each of 1024 threads has a row of 65535 × 24 + 24 bytes; twice 4096 rows and 32 of 65535 × 3 + 1 bytes wait to be written; and
+        // 16 MiB are for all else
+        Program.Result result = InProcess.run("render", scene.toString(), "-o", out.toString(), "--size", "65535x65535",
+            "--threads", "1024");
 
-        assertThat(result.err()).matches("simpleray: a picture of 65535x65535 needs 98318 MiB of memory, and Java has \\d+ MiB left: "
+        assertThat(result.err()).matches("simpleray: a picture of 65535x65535 needs 3099 MiB of memory, and Java has \\d+ MiB left: "
             + "make it smaller, or give java more by -Xmx\n");
         assertThat(result.exitCode()).isEqualTo(ExitCode.NO_MEMORY);
         assertThat(folder).isDirectoryNotContaining("glob:**.p*");

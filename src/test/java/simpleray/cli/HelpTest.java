@@ -30,7 +30,8 @@ class HelpTest {
 
         assertThat(help).startsWith("SimpleRay: a text file of spheres, planes and lights becomes a picture.\n\n"
             + "Usage: simpleray SCENE [OPTIONS]\n       simpleray COMMAND ...\n");
-        for (String command : List.of("view", "render", "figures", "print", "check", "convert", "export", "generate-completion", "help")) {
+        for (String command : List.of("view", "render", "figures", "explain", "print", "check", "convert", "export",
+            "verify", "compare", "bench", "generate-completion", "help")) {
             assertThat(help).contains("\n  " + command + " ");
         }
         List<String> codes = new ArrayList<>();
@@ -43,8 +44,27 @@ class HelpTest {
         assertThat(told.results().map(match -> match.group(1))).containsExactlyElementsOf(codes);
     }
 
+    @Test
+    void thePageTellsTheSameOfEveryExitCodeAndMoreOfSome() throws IOException {
+        Pattern row = Pattern.compile("^(?:  |\\| )(\\d+) [ |]*(\\S.*?)(?: \\|)?$", Pattern.MULTILINE);
+        String help = text("--help");
+        List<String> codes = codes(row.matcher(help.substring(help.indexOf("Exit codes:"))));
+        String page = Files.readString(Project.root().resolve("README.md"));
+        List<String> told = codes(row.matcher(page.substring(page.indexOf("| exit code |"))));
+
+        assertThat(told).hasSameSizeAs(codes);
+        for (int i = 0; i < codes.size(); i++) {
+            assertThat(told.get(i).replace("`", "")).startsWith(codes.get(i));
+        }
+    }
+
+    private static List<String> codes(Matcher rows) {
+        return rows.results().map(match -> match.group(1) + ' ' + match.group(2)).toList();
+    }
+
     @ParameterizedTest
-    @ValueSource(strings = {"view", "render", "figures", "print", "check", "convert", "export", "generate-completion"})
+    @ValueSource(strings = {"view", "render", "figures", "explain", "print", "check", "convert", "export", "verify", "compare", "bench",
+        "generate-completion"})
     void aCommandHasAHelpOfItsOwn(String command) {
         assertThat(text(command, "--help")).startsWith("Usage: simpleray " + command + " ");
         assertThat(text("help", command)).isEqualTo(text(command, "--help"));
@@ -52,7 +72,7 @@ class HelpTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"view, 8", "render, 12"})
+    @CsvSource({"view, 9", "render, 19"})
     void theHelpTellsEveryOptionOfThePage(String command, int most) throws IOException {
         // README's tables of options: the first is for view and render, the second for render alone
         Matcher options = Pattern.compile("^\\| `(?:-\\w, )?(-[-\\w]+)[^`]*` \\|", Pattern.MULTILINE)
@@ -64,14 +84,21 @@ class HelpTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"view", "render"})
-    void theHelpNamesTheSixStages(String command) {
-        assertThat(text(command, "--help")).containsPattern("--stage=STAGE +original, lighting, final, ambient, diffuse,\\s+specular ");
+    @ValueSource(strings = {"view", "render", "explain"})
+    void theHelpNamesTheElevenStages(String command) {
+        assertThat(text(command, "--help")).containsPattern(
+            "--stage=STAGE +original, lighting, final, ambient, diffuse,\\s+specular, normals, depth, objects, bounces,\\s+shadows ");
+    }
+
+    @Test
+    void theHelpOfViewNamesTheLooks() {
+        assertThat(text("view", "--help")).containsPattern("--look=LOOK +light, dark, system: ");
     }
 
     @Test
     void theHelpFitsATerminal() {
-        for (String command : List.of("view", "render", "print", "check", "convert", "figures", "export", "generate-completion")) {
+        for (String command : List.of("view", "render", "print", "check", "convert", "figures", "explain", "export",
+            "verify", "compare", "bench", "generate-completion")) {
             assertThat(text("help", command).lines()).allMatch(line -> line.length() <= TERMINAL);
         }
         assertThat(text("--help").lines()).allMatch(line -> line.length() <= TERMINAL);

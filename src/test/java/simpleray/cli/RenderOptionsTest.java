@@ -43,7 +43,7 @@ class RenderOptionsTest {
 
     @ParameterizedTest
     @EnumSource
-    void stageIsOneOfSix(Stage stage) throws IOException {
+    void stageIsOneOfEleven(Stage stage) throws IOException {
         byte[] expected = Rendered.png(THESIS, new SimpleCamera(40, 40), DEFAULTS.with(stage));
 
         assertThat(picture(THESIS, "--size", "40x40", "--stage", stage.toString())).isEqualTo(expected);
@@ -103,6 +103,6 @@ class RenderOptionsTest {
 
         assertThat(result.err()).isEmpty();
         assertThat(result.exitCode()).isZero();
-        return result.out();
+        return Rendered.untold(result.out());
     }
 }

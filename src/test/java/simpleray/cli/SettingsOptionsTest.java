@@ -104,6 +104,6 @@ class SettingsOptionsTest {
 
         assertThat(result.err()).isEmpty();
         assertThat(result.exitCode()).isZero();
-        return result.out();
+        return Rendered.untold(result.out());
     }
 }

@@ -17,6 +17,19 @@ final class SmallScenes {
         + "0  1 2 3  0  1 1 1  0 0 0  0 0 abc  1\n"
         + " ".repeat(31) + "^\n";
 
+    /** A sphere whose picture does not become small. */
+    static final String ROUGH =
+        "1  0  0 0 0  1.9  0.9 0.7 0.5  0.5 0.7 0.9  0.3 0.3 0.3  5  0.2 0.3 0.4  1  0 0.9 0.8 0.7  3 2 4\n";
+
     private SmallScenes() {
+    }
+
+    /** {@return a scene of that many spheres} */
+    static String many(int n) {
+        StringBuilder text = new StringBuilder().append(n).append('\n');
+        for (int i = 0; i < n; i++) {
+            text.append("0  ").append(i).append(" 0.5 -1.25  0.75  0.9 0.7 0.5  0.5 0.7 0.9  0.3 0.3 0.3  5\n");
+        }
+        return text.append("0.5 0.5 0.5  0\n").toString();
     }
 }

@@ -32,7 +32,9 @@ class StreamsTest {
         Program.Result result = Program.runWithInput(folder, scene, "render", "-", "-o", "-", "--progress", "plain");
 
         assertThat(result.exitCode()).as(result.err()).isZero();
-        assertThat(result.out()).isEqualTo(Rendered.png(Project.scene("thesis"), new SimpleCamera(), new RenderSettings()));
+        assertThat(Rendered.levels(result.out()))
+            .isEqualTo(Rendered.levels(Rendered.png(Project.scene("thesis"), new SimpleCamera(), new RenderSettings())));
+        assertThat(new String(result.out(), StandardCharsets.ISO_8859_1)).endsWith("IEND\u00AE\u0042\u0060\u0082");
         assertThat(result.err()).startsWith("<stdin>:1:1: warning: ").containsPattern("\n<stdout>: 200x200, \\d+\\.\\d s\n$");
         assertThat(folder).isEmptyDirectory();
     }

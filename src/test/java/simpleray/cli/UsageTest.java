@@ -25,7 +25,8 @@ class UsageTest {
         "--size 5x65536 | Invalid value for option '--size': expected WxH such as 640x480, 1 to 65535 each, found '5x65536'",
         "--size 5x5x5 | Invalid value for option '--size': expected WxH such as 640x480, 1 to 65535 each, found '5x5x5'",
         "--stage first | Invalid value for option '--stage': "
-            + "expected one of [original, lighting, final, ambient, diffuse, specular], found 'first'",
+            + "expected one of [original, lighting, final, ambient, diffuse, specular, normals, depth, objects, bounces, "
+            + "shadows], found 'first'",
         "--depth many | Invalid value for option '--depth': 'many' is not an int",
         "--depth -1 | the depth must be 0 to 1000, and is -1",
         "--depth 1001 | the depth must be 0 to 1000, and is 1001",

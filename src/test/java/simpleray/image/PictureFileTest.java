@@ -12,6 +12,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import simpleray.text.FileInUseException;
 
 class PictureFileTest {
     @TempDir
@@ -82,12 +83,15 @@ class PictureFileTest {
     }
 
     @Test
-    void twoMayBeInTheMakingForOneTarget() throws IOException {
-        try (PictureFile one = new PictureFile(target); PictureFile other = new PictureFile(target)) {
-            other.write(Pictures.plain(2, 2, 0.5));
+    void aSecondInTheMakingForOneTargetIsRefusedUntilTheFirstIsDone() throws IOException {
+        try (PictureFile one = new PictureFile(target)) {
+            assertThatThrownBy(() -> new PictureFile(target)).isInstanceOf(FileInUseException.class).hasMessage(target
+                + ": is being written by another run of SimpleRay: wait until it has ended, or choose another name");
             one.write(Pictures.plain(2, 2, 0.25));
         }
-        assertThat(Files.readAllBytes(target)).isEqualTo(png(0.25));
+        write(target, 0.5);
+
+        assertThat(Files.readAllBytes(target)).isEqualTo(png(0.5));
         assertThat(names()).containsExactly("picture.png");
     }
 

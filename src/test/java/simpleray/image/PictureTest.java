@@ -10,7 +10,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 class PictureTest {
     @ParameterizedTest
     @CsvSource({"0, 0", "1, 255", "0.5, 128", "0.25, 64", "0.3, 77", "-0.0, 0", "-0.1, 0", "-1e300, 0", "1.001, 255", "1e300, 255",
-        "Infinity, 255", "-Infinity, 0", "NaN, 0"})
+        "1.9, 255", "2, 255", "9e6, 255", "-9e6, 0", "-0.0019, 0", "-0.0021, 0", "Infinity, 255", "-Infinity, 0", "NaN, 0"})
     void aLevelIsTheClampedLightTimes255Rounded(double light, int level) {
         // 0.5 · 255 + 0.5 = 128.0; 0.25 · 255 + 0.5 = 64.25; 0.3 · 255 + 0.5 = 77.0
         assertThat(Picture.level(light)).isEqualTo(level);
@@ -45,12 +45,25 @@ class PictureTest {
     }
 
     @Test
+    void aRowThatIsLetGoOfIsNotThereAnyMore() {
+        Picture picture = Pictures.plain(2, 3, 0.5);
+
+        picture.release(1);
+
+        assertThat(picture.row(1)).isNull();
+        assertThat(picture.row(0)).isNotNull();
+        assertThat(picture.row(2)).isNotNull();
+        assertThatThrownBy(() -> picture.levels(1)).isInstanceOf(IllegalStateException.class)
+            .hasMessage("row 1 of the picture is not there");
+    }
+
+    @Test
     void aRowThatIsNotSetIsNotThere() {
         Picture picture = new Picture(2, 3);
 
         assertThat(picture.row(2)).isNull();
         assertThatThrownBy(() -> picture.levels(2)).isInstanceOf(IllegalStateException.class)
-            .hasMessage("row 2 of the picture is not there yet");
+            .hasMessage("row 2 of the picture is not there");
     }
 
     @Test

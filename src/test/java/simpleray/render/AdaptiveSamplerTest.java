@@ -54,13 +54,22 @@ class AdaptiveSamplerTest {
 
     @Test
     void whereNothingDiffersThereIsOneRayAPixel() throws IOException {
-        CountingCamera camera = new CountingCamera(new SimpleCamera(13, 11));
+        CountingCamera camera = new CountingCamera(new SimpleCamera(13, 50));
         Picture picture = render(scene("1  1 0 0 1 -2  1 1 1  0 0 0  0 0 0  0  0.5 0.25 7  0"), camera, RenderSettings.ADAPTIVE, 1);
 
-        assertThat(camera.rays()).isEqualTo(13 * 11);
-        for (int y = 0; y < 11; y++) {
+        assertThat(camera.rays()).isEqualTo(13 * 50);
+        for (int y = 0; y < 50; y++) {
             assertThat(picture.row(y)).startsWith(0.5, 0.25, 1).containsOnly(0.5, 0.25, 1);
         }
+    }
+
+    @Test
+    void theMemoryItTakesDoesNotGrowWithTheHeight() {
+        RenderSettings adaptive = new RenderSettings(Stage.FINAL, 10, RenderSettings.ADAPTIVE, 2);
+
+        // a row of each thread, and first points of twice two rows and eight; 24 bytes a pixel and 24 a row
+        assertThat(new Renderer(new Scene(), new SimpleCamera(20000, 20000), adaptive).bytesNeeded()).isEqualTo((2 + 12) * 480_024L);
+        assertThat(new Renderer(new Scene(), new SimpleCamera(20000, 65535), adaptive).bytesNeeded()).isEqualTo((2 + 12) * 480_024L);
     }
 
     @Test

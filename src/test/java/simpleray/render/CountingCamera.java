@@ -3,6 +3,7 @@ package simpleray.render;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicLong;
+import simpleray.math.Point;
 import simpleray.math.Ray;
 import simpleray.scene.Camera;
 
@@ -33,15 +34,20 @@ final class CountingCamera implements Camera {
     }
 
     @Override
+    public Point eye() {
+        return camera.eye();
+    }
+
+    @Override
     public int height() {
         return camera.height();
     }
 
     @Override
-    public Ray through(double px, double py) {
+    public void through(double px, double py, Ray ray) {
         if (rays.incrementAndGet() <= MOST_PLACES) {
             places.add(px + " " + py);
         }
-        return camera.through(px, py);
+        camera.through(px, py, ray);
     }
 }

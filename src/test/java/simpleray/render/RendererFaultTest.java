@@ -3,6 +3,7 @@ package simpleray.render;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -57,6 +58,30 @@ class RendererFaultTest {
         assertThatThrownBy(() -> renderer.render(y -> {
             throw fault;
         })).isSameAs(fault);
+    }
+
+    @Test
+    void aFaultEndsThreadsThatWaitForItsRow() {
+        IllegalStateException fault = new IllegalStateException("a fault of this object");
+        AtomicReference<Thread> thrower = new AtomicReference<>();
+        AtomicReference<Thread> other = new AtomicReference<>();
+        Obstacle obstacle = new Obstacle(ray -> {
+            if (thrower.compareAndSet(null, Thread.currentThread())) {
+                while (other.get() == null || other.get().getState() != Thread.State.WAITING) {
+                    Thread.onSpinWait();
+                }
+                throw fault;
+            }
+            other.set(Thread.currentThread());
+            return Object.MISS;
+        });
+        AtomicInteger rows = new AtomicInteger();
+        Renderer renderer = new Renderer(obstacle.alone(), new SimpleCamera(1, 10_000), new RenderSettings(Stage.FINAL, 0, 1, 2));
+
+        assertThatThrownBy(() -> renderer.render(y -> rows.incrementAndGet())).isSameAs(fault);
+
+        assertThat(rows.get()).isBetween(255, 256);           // of those that may be begun, all but the faulty; before it there may be one
+        assertThat(obstacle.threads).hasSize(2).noneMatch(Thread::isAlive);
     }
 
     private static void end(Thread thread) {

@@ -10,6 +10,7 @@ import static simpleray.scene.Scenes.light;
 import static simpleray.scene.Scenes.material;
 import static simpleray.scene.Scenes.pointLight;
 import static simpleray.scene.Scenes.seen;
+import static simpleray.scene.Scenes.shadowedBy;
 import static simpleray.scene.Scenes.wall;
 
 import org.assertj.core.data.Offset;
@@ -61,7 +62,7 @@ class GlassShadowTest {
 
     @Test
     void glassAroundPlaceAndLightDimsNothing() {
-        Scene scene = behind(new Sphere(glass(), new Point(), 100));
+        Scene scene = shadowedBy(new Sphere(glass(), new Point(), 100));
         light(scene, pointLight(3, 0, 4));
 
         assertThat(seen(scene, ahead(), 0, Terms.ALL).g).isEqualTo(0.65, ROUNDING);
@@ -94,7 +95,7 @@ class GlassShadowTest {
 
     @Test
     void lightingLeavesTintedShadowsOut() {
-        Scene scene = behind(sphere(1.5, 0, 2));
+        Scene scene = shadowedBy(sphere(1.5, 0, 2));
         light(scene, pointLight(3, 0, 4));
 
         assertThat(seen(scene, ahead(), 0, LIGHTING).g).isEqualTo(0.65, ROUNDING);
@@ -102,7 +103,7 @@ class GlassShadowTest {
 
     @Test
     void theLightItselfIsNotChanged() {
-        Scene scene = behind(pane(1));
+        Scene scene = shadowedBy(pane(1));
         light(scene, pointLight(3, 0, 4));
         seen(scene, ahead(), 0, Terms.ALL);
 
@@ -111,21 +112,12 @@ class GlassShadowTest {
     }
 
     private static void sees(Light light, double r, double g, double b, Object... obstacles) {
-        Scene scene = behind(obstacles);
+        Scene scene = shadowedBy(obstacles);
         light(scene, light);
         Colour colour = seen(scene, ahead(), 0, Terms.ALL);
         assertThat(colour.r).isEqualTo(r, ROUNDING);
         assertThat(colour.g).isEqualTo(g, ROUNDING);
         assertThat(colour.b).isEqualTo(b, ROUNDING);
-    }
-
-    private static Scene behind(Object... obstacles) {
-        Object[] objects = new Object[obstacles.length + 1];
-        objects[0] = wall(material(grey(0.25), grey(0.5), grey(0), 0), 0);
-        System.arraycopy(obstacles, 0, objects, 1, obstacles.length);
-        Scene scene = Scenes.of(objects);
-        scene.ambient = grey(1);
-        return scene;
     }
 
     private static Material glass() {

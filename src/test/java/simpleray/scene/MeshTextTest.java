@@ -57,7 +57,9 @@ class MeshTextTest {
     @Test
     void fromAStreamAFileIsFoundByItsFullPath() throws IOException {
         Mesh mesh = new Mesh();
-        mesh.read(reader('"' + folder.resolve("cube #1.obj").toString() + "\" 0 0 0 1 " + MATERIAL));
+        SceneReader is = reader('"' + folder.resolve("cube #1.obj").toString() + "\" 0 0 0 1 " + MATERIAL);
+        is.kept(MeshFiles.class, () -> new MeshFiles(Reach.ANYWHERE));
+        mesh.read(is);
         assertThat(mesh.size()).isEqualTo(12);
     }
 

@@ -70,10 +70,12 @@ class ObjPolygonsTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"x", "NaN", "Infinity", "-inf", "1f", "0x1p3", "1e39", "1,5", "--1"})
-    void aVertexConsistsOfFiniteNumbers(String word) {
-        assertError("v 0 0 0\nv 1 " + word + " 0\n", 2, 5, "vertex 2's y, found '" + word + "'");
-        assertError("vn 0 0 " + word + "\n", 1, 8, "normal 1's z, found '" + word + "'");
+    @CsvSource({"x, ''", "NaN, ' (numbers must be finite)'", "Infinity, ' (numbers must be finite)'", "-inf, ' (numbers must be finite)'",
+        "1f, ' (a number ends with a digit)'", "0x1p3, ' (numbers are decimal)'", "1e39, ' (beyond 3.4e38, the largest coordinate)'",
+        "'1,5', ' (a decimal point is a ''.'')'", "--1, ''"})
+    void aVertexConsistsOfFiniteNumbers(String word, String why) {
+        assertError("v 0 0 0\nv 1 " + word + " 0\n", 2, 5, "vertex 2's y, found '" + word + "'" + why);
+        assertError("vn 0 0 " + word + "\n", 1, 8, "normal 1's z, found '" + word + "'" + why);
     }
 
     @Test

@@ -31,10 +31,10 @@ final class RandomScenes {
     private static Object object(Random random) {
         Material material = material(random);
         return switch (random.nextInt(4)) {
-            case 0 -> new Plane(material, vector(random), number(random));
+            case 0 -> new Plane(material, vector(random), length(random));
             case 1 -> new Triangle(material, near(random), near(random), near(random));
-            case 2 -> new Cylinder(material, point(random), near(random), above(random));
-            default -> new Sphere(material, point(random), above(random));
+            case 2 -> new Cylinder(material, point(random), near(random), Math.min(Lengths.MOST, above(random)));
+            default -> new Sphere(material, point(random), Math.min(Lengths.MOST, above(random)));
         };
     }
 
@@ -77,11 +77,11 @@ final class RandomScenes {
     }
 
     private static Vector vector(Random random) {
-        return new Vector(number(random), above(random), number(random));
+        return new Vector(length(random), Math.abs(length(random)) + Double.MIN_VALUE, length(random));
     }
 
     private static Point point(Random random) {
-        return new Point(number(random), number(random), number(random));
+        return new Point(length(random), length(random), length(random));
     }
 
     /** {@return a point near the origin: three of them are hardly ever on one line} */
@@ -91,6 +91,11 @@ final class RandomScenes {
 
     private static double above(Random random) {
         return Math.max(Double.MIN_VALUE, Math.abs(number(random)));
+    }
+
+    /** {@return a number that an object may have} */
+    private static double length(Random random) {
+        return Math.max(-Lengths.MOST, Math.min(Lengths.MOST, number(random)));
     }
 
     /** {@return a number: as people write them, or any finite pattern of bits, or a zero of either sign} */

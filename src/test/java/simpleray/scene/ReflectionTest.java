@@ -7,6 +7,7 @@ import static simpleray.scene.Scenes.ahead;
 import static simpleray.scene.Scenes.glowing;
 import static simpleray.scene.Scenes.grey;
 import static simpleray.scene.Scenes.light;
+import static simpleray.scene.Scenes.lit;
 import static simpleray.scene.Scenes.material;
 import static simpleray.scene.Scenes.pointLight;
 import static simpleray.scene.Scenes.ray;
@@ -128,11 +129,5 @@ class ReflectionTest {
 
     private static Material mirror(double ambient, double specular, double shininess) {
         return material(grey(ambient), grey(0), grey(specular), shininess);
-    }
-
-    private static Scene lit(Object... objects) {
-        Scene scene = Scenes.of(objects);
-        scene.ambient = grey(1);
-        return scene;
     }
 }

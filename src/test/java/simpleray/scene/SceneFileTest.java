@@ -47,11 +47,26 @@ class SceneFileTest {
     }
 
     @Test
+    void aTextThatStandsForAFileIsCalledByItsNameAndFindsMeshesBesideIt() throws IOException {
+        Path path = folder.resolve("unsaved.scene");
+        Files.writeString(folder.resolve("a.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+        String text = "1\n4 \"a.obj\" 0 0 0 1  1 1 1  0 0 0  0 0 0  0\n" + LIT.substring(2);
+
+        SceneFile file = SceneFile.read(new ByteArrayInputStream(text.getBytes(StandardCharsets.UTF_8)), path, Reach.FOLDER);
+
+        assertThat(file.scene().getObject(0)).isInstanceOfSatisfying(Mesh.class, mesh -> assertThat(mesh.size()).isEqualTo(1));
+        assertThat(file.warnings()).singleElement().extracting(Problem::file).isEqualTo(path.toString());
+        assertThat(file.text().name()).isEqualTo("unsaved.scene");
+        assertThat(file.text().bytes()).asString(StandardCharsets.UTF_8).isEqualTo(text);
+        assertThat(file.text().meshes()).extracting(SceneText.MeshFile::name).containsExactly("a.obj");
+    }
+
+    @Test
     void aFileThatIsNoSceneSaysWhy() throws IOException {
         Path path = Files.writeString(folder.resolve("a.scene"), "1\n5");
 
         assertThatThrownBy(() -> SceneFile.read(path)).isInstanceOf(SceneFormatException.class).hasMessage(
-            path + ":2:1: error: expected object 1's type (0 sphere, 1 plane, 2 triangle, 3 cylinder, 4 mesh; 1 objects announced), found '5'"
+            path + ":2:1: error: expected object 1's type (0 sphere, 1 plane, 2 triangle, 3 cylinder, 4 mesh; 1 object announced), found '5'"
                 + "\n5\n^");
     }
 

@@ -7,7 +7,7 @@ import static simpleray.text.SceneText.reader;
 import java.io.IOException;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
+import org.junit.jupiter.params.provider.CsvSource;
 import simpleray.text.Problem;
 import simpleray.text.SceneReader;
 
@@ -21,7 +21,7 @@ class SceneReadCountsTest {
     void tooFewObjectsAreNoticedWhereATypeShouldStand() {
         // the ambient light's first number is taken for the type of the missing object
         assertThatThrownBy(() -> read("2\n" + SPHERE + AMBIENT + "0")).hasMessage("""
-            <stdin>:3:1: error: expected object 2's type (0 sphere, 1 plane, 2 triangle, 3 cylinder, 4 mesh; 2 objects announced), found '0.3'
+            <stdin>:3:1: error: expected object 2's type (0 sphere, 1 plane, 2 triangle, 3 cylinder, 4 mesh; 2 objects announced), found '0.3' (an integer has only digits)
             0.3 0.3 0.3
             ^""");
     }
@@ -30,7 +30,7 @@ class SceneReadCountsTest {
     void tooManyObjectsAreNoticedAfterTheAmbientLight() {
         // the second object begins 0 0 0, which passes for the ambient light; 0 lights; and then its radius is too much
         assertThatThrownBy(() -> read("1\n" + SPHERE + SPHERE + AMBIENT + "0")).hasMessage("""
-            <stdin>:3:9: error: expected the end of the scene (after 1 objects and 0 lights), found '1'
+            <stdin>:3:9: error: expected the end of the scene (after 1 object and 0 lights), found '1'
             0 0 0 0 1 1 1 1 1 1 1 0 0 0 2
                     ^""");
     }
@@ -38,7 +38,7 @@ class SceneReadCountsTest {
     @Test
     void anAmbientLightThatIsLongerIsNoticedAtTheNumberOfLights() {
         assertThatThrownBy(() -> read("1\n" + SPHERE + "0 0 0 0.5\n0")).hasMessage("""
-            <stdin>:3:7: error: expected the number of lights (after 1 objects and the ambient light), found '0.5'
+            <stdin>:3:7: error: expected the number of lights (after 1 object and the ambient light), found '0.5' (an integer has only digits)
             0 0 0 0.5
                   ^""");
     }
@@ -55,32 +55,33 @@ class SceneReadCountsTest {
     @Test
     void whatFollowsTheLastLightIsAnError() {
         assertThatThrownBy(() -> read("0\n" + AMBIENT + "1\n" + LIGHT + LIGHT)).hasMessage("""
-            <stdin>:5:1: error: expected the end of the scene (after 0 objects and 1 lights), found '0'
+            <stdin>:5:1: error: expected the end of the scene (after 0 objects and 1 light), found '0'
             0 1 1 1 0 5 0
             ^""");
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"-1", "9", "0.0", "1e0", "2147483648"})
-    void anUnknownTypeOfObjectIsAnError(String type) {
+    @CsvSource({"-1, ''", "9, ''", "0.0, (an integer has only digits)", "1e0, (an integer has only digits)",
+        "2147483648, (more than 2147483647)"})
+    void anUnknownTypeOfObjectIsAnError(String type, String why) {
         assertThatThrownBy(() -> read("1\n" + type + " 0 0 0 1")).hasMessage(
-            "<stdin>:2:1: error: expected object 1's type (0 sphere, 1 plane, 2 triangle, 3 cylinder, 4 mesh; 1 objects announced), found '"
-                + type + "'\n" + type + " 0 0 0 1\n^");
+            "<stdin>:2:1: error: expected object 1's type (0 sphere, 1 plane, 2 triangle, 3 cylinder, 4 mesh; 1 object announced), found '"
+                + type + "'" + (why.isEmpty() ? "" : ' ' + why) + '\n' + type + " 0 0 0 1\n^");
     }
 
     @Test
     void anUnknownTypeOfLightIsAnError() {
         assertThatThrownBy(() -> read("0\n" + AMBIENT + "1\n2 1 1 1 0 0 0")).hasMessage("""
-            <stdin>:4:1: error: expected light 1's type (0 point light, 1 directional light; 1 lights announced), found '2'
+            <stdin>:4:1: error: expected light 1's type (0 point light, 1 directional light; 1 light announced), found '2'
             2 1 1 1 0 0 0
             ^""");
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"-1", "9.0", "2147483648", "NaN"})
-    void aBadNumberOfObjectsIsAnError(String number) {
+    @CsvSource({"-1, less than 0", "9.0, an integer has only digits", "2147483648, more than 2147483647", "NaN, numbers must be finite"})
+    void aBadNumberOfObjectsIsAnError(String number, String why) {
         assertThatThrownBy(() -> read(number)).hasMessage(
-            "<stdin>:1:1: error: expected the number of objects, found '" + number + "'\n" + number + "\n^");
+            "<stdin>:1:1: error: expected the number of objects, found '" + number + "' (" + why + ")\n" + number + "\n^");
     }
 
     @Test

@@ -7,6 +7,7 @@ import static simpleray.text.SceneText.written;
 
 import java.io.IOException;
 import java.util.Random;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import simpleray.math.Colour;
 import simpleray.math.Point;
@@ -39,6 +40,7 @@ class SceneRoundTripTest {
             """);
     }
 
+    @Tag("slow")
     @Test
     void anySceneReadsBackBitForBit() throws IOException {
         for (int i = 0; i < SCENES; i++) {

@@ -16,18 +16,18 @@ class SceneSettingsErrorsTest {
     @ParameterizedTest
     @CsvSource(delimiter = '|', quoteCharacter = '"', value = {
         "background 0 -1 0 | 14 | expected background's green of 0 or more, found '-1'",
-        "background 0 0 NaN | 16 | expected background's blue, found 'NaN'",
+        "background 0 0 NaN | 16 | expected background's blue, found 'NaN' (numbers must be finite)",
         "window 2 -2 -2 2 | 8 | expected window's xmin below its xmax and ymin below its ymax, found '2 -2 -2 2'",
         "window -2 2 1 1 | 8 | expected window's xmin below its xmax and ymin below its ymax, found '-2 2 1 1'",
-        "window -2 2 -2 Infinity | 16 | expected window's ymax, found 'Infinity'",
+        "window -2 2 -2 Infinity | 16 | expected window's ymax, found 'Infinity' (numbers must be finite)",
         "cop 0 | 5 | expected cop's z above 0, found '0'",
         "cop -2 | 5 | expected cop's z above 0, found '-2'",
-        "cop NaN | 5 | expected cop's z, found 'NaN'",
+        "cop NaN | 5 | expected cop's z, found 'NaN' (numbers must be finite)",
         "camera 1 2 3 1 2 3 90 | 8 | expected camera's look-at point other than the eye, found '1 2 3 1 2 3 90'",
         "camera 0 0 0 0 0 1 0 | 20 | expected camera's field of view above 0 and below 180 degrees, found '0'",
         "camera 0 0 0 0 0 1 180 | 20 | expected camera's field of view above 0 and below 180 degrees, found '180'",
         "camera 0 0 0 0 0 1 -40 | 20 | expected camera's field of view above 0 and below 180 degrees, found '-40'",
-        "camera 0 0 0 0 0 1 NaN | 20 | expected camera's field of view, found 'NaN'",
+        "camera 0 0 0 0 0 1 NaN | 20 | expected camera's field of view, found 'NaN' (numbers must be finite)",
         "camera 0 x 0 0 0 1 40 | 10 | expected camera's eye y, found 'x'"})
     void aValueThatMakesNoSenseIsNamed(String line, int column, String message) {
         assertRejected(line, report(2, column, message, line));
@@ -35,23 +35,25 @@ class SceneSettingsErrorsTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', quoteCharacter = '"', value = {
-        "resolution 0 5 | 12 | resolution's width", "resolution 5 0 | 14 | resolution's height",
-        "resolution 65536 5 | 12 | resolution's width", "resolution 5 65536 | 14 | resolution's height",
-        "resolution 5.5 5 | 12 | resolution's width", "resolution NaN 5 | 12 | resolution's width",
-        "depth -1 | 7 | depth's number", "depth 1001 | 7 | depth's number", "depth 1.0 | 7 | depth's number",
-        "samples 0 | 9 | samples's number", "samples 17 | 9 | samples's number", "samples adaptive | 9 | samples's number"})
-    void anIntegerOutOfItsRangeIsNamed(String line, int column, String field) {
+        "resolution 0 5 | 12 | resolution's width |", "resolution 5 0 | 14 | resolution's height |",
+        "resolution 65536 5 | 12 | resolution's width |", "resolution 5 65536 | 14 | resolution's height |",
+        "resolution 5.5 5 | 12 | resolution's width |  (an integer has only digits)",
+        "resolution NaN 5 | 12 | resolution's width |  (numbers must be finite)",
+        "depth -1 | 7 | depth's number |", "depth 1001 | 7 | depth's number |", "depth 1.0 | 7 | depth's number |  (an integer has only digits)",
+        "samples 0 | 9 | samples's number |", "samples 17 | 9 | samples's number |", "samples adaptive | 9 | samples's number |"})
+    void anIntegerOutOfItsRangeIsNamed(String line, int column, String field, String why) {
         String found = line.substring(column - 1).split(" ")[0];
 
         assertThatThrownBy(() -> new Scene().read(reader("0 0 0 0 0\n" + line))).isInstanceOf(SceneFormatException.class)
             .hasMessageStartingWith("<stdin>:2:" + column + ": error: expected " + field)
-            .hasMessageEndingWith(", found '" + found + "'\n" + line + '\n' + " ".repeat(column - 1) + '^');
+            .hasMessageEndingWith(", found '" + found + "'" + (why == null ? "" : ' ' + why) + '\n' + line + '\n' + " ".repeat(column - 1) + '^');
     }
 
     @ParameterizedTest
     @CsvSource({"background, red", "background 1, green", "background 1 1, blue", "window, xmin", "window 1, xmax", "window 1 2, ymin",
         "window 1 2 3, ymax", "cop, z", "camera, eye x", "camera 1, eye y", "camera 1 1, eye z", "camera 1 1 1, look-at x",
-        "camera 1 1 1 1, look-at y", "camera 1 1 1 1 1, look-at z", "camera 1 1 1 1 1 2, field of view", "resolution, width from 1 to 65535",
+        "camera 1 1 1 1, look-at y",
+        "camera 1 1 1 1 1, look-at z", "camera 1 1 1 1 1 2, field of view", "resolution, width from 1 to 65535",
         "resolution 5, height from 1 to 65535", "depth, number from 0 to 1000", "samples, number from 1 to 16"})
     void aMissingValueIsNamed(String line, String field) {
         String keyword = line.split(" ")[0];

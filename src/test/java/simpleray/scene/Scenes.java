@@ -22,6 +22,21 @@ final class Scenes {
         return scene;
     }
 
+    /** {@return a scene whose ambient light is 1} */
+    static Scene lit(Object... objects) {
+        Scene scene = of(objects);
+        scene.ambient = grey(1);
+        return scene;
+    }
+
+    /** {@return a grey wall at z = 0 under an ambient light of 1, and what stands before it} */
+    static Scene shadowedBy(Object... obstacles) {
+        Object[] objects = new Object[obstacles.length + 1];
+        objects[0] = wall(material(grey(0.25), grey(0.5), grey(0), 0), 0);
+        System.arraycopy(obstacles, 0, objects, 1, obstacles.length);
+        return lit(objects);
+    }
+
     static void light(Scene scene, Light... lights) {
         scene.setNumberLights(lights.length);
         for (int i = 0; i < lights.length; i++) {
@@ -41,6 +56,19 @@ final class Scenes {
     /** {@return a material that only shines of itself, where GA is 1} */
     static Material glowing(double light) {
         return material(grey(light), grey(0), grey(0), 0);
+    }
+
+    /** {@return glass that is seen in reflections up to the tenth} */
+    static Material glass(double specular, double transmission, double index) {
+        Material glass = material(grey(0), grey(0), grey(specular), 10);
+        glass.transmission = grey(transmission);
+        glass.index = index;
+        return glass;
+    }
+
+    /** {@return a tiny ball that only shines of itself} */
+    static Sphere ball(double x, double y, double z) {
+        return new Sphere(glowing(1), new Point(x, y, z), 1e-6);
     }
 
     static Colour grey(double light) {

@@ -10,6 +10,7 @@ import static simpleray.scene.Scenes.light;
 import static simpleray.scene.Scenes.material;
 import static simpleray.scene.Scenes.pointLight;
 import static simpleray.scene.Scenes.seen;
+import static simpleray.scene.Scenes.shadowedBy;
 import static simpleray.scene.Scenes.wall;
 
 import org.junit.jupiter.api.Test;
@@ -110,15 +111,6 @@ class ShadowTest {
         Scene scene = shadowedBy(obstacles);
         light(scene, light);
         assertThat(seen(scene, ahead(), 0, Terms.ALL).r).isEqualTo(expected, within(ROUNDING));
-    }
-
-    private static Scene shadowedBy(Object... obstacles) {
-        Object[] objects = new Object[obstacles.length + 1];
-        objects[0] = wall(material(grey(0.25), grey(0.5), grey(0), 0), 0);
-        System.arraycopy(obstacles, 0, objects, 1, obstacles.length);
-        Scene scene = Scenes.of(objects);
-        scene.ambient = grey(1);
-        return scene;
     }
 
     private static Sphere sphere(double x, double y, double z, double radius) {

@@ -2,6 +2,7 @@ package simpleray.scene;
 
 import java.io.IOException;
 import java.io.InputStream;
+import java.nio.file.Path;
 import simpleray.text.SceneReader;
 
 /** The thesis's scene, as printed in its chapter 6. */
@@ -22,7 +23,8 @@ public final class ThesisScene {
 
     /** {@return a reader of its listing, which messages call {@code thesis.scene}} */
     public static SceneReader reader() {
-        return new SceneReader(ThesisScene.class.getResourceAsStream(FOLDER + "thesis-as-printed.scene"), "thesis.scene");
+        return new SceneReader(ThesisScene.class.getResourceAsStream(FOLDER + "thesis-as-printed.scene"), "thesis.scene",
+            Path.of(""));
     }
 
     /** {@return a file of the references} */

@@ -9,6 +9,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Random;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -21,6 +22,7 @@ class TriangleTreeTest {
     private static final long SEED = 2013;
     private static final int RAYS = 100_000;
 
+    @Tag("slow")
     @Test
     void theTreeFindsTheSameTriangleAtTheSameTAsThePlainLoop() {
         Random random = new Random(SEED);
@@ -48,6 +50,7 @@ class TriangleTreeTest {
     }
 
     /** From the middle a ray must hit, wherever it goes: to a vertex, to a place on an edge, anywhere. */
+    @Tag("slow")
     @ParameterizedTest
     @ValueSource(doubles = {1e-3, 1, 1e4})
     void noRayEscapesFromAnIcosphere(double scale) {

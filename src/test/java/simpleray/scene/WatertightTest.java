@@ -8,6 +8,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Random;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import simpleray.math.Point;
@@ -25,6 +26,7 @@ class WatertightTest {
     private final List<Point> corners = new ArrayList<>();
     private List<int[]> faces = new ArrayList<>();
 
+    @Tag("slow")
     @ParameterizedTest
     @ValueSource(doubles = {1e-3, 1, 1e4})
     void noRaySlipsBetweenTheTrianglesOfASphere(double radius) {

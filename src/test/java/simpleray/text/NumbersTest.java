@@ -28,4 +28,10 @@ class NumbersTest {
         assertThat(Numbers.parseInteger("0", 1, 3)).isNull();
         assertThat(Numbers.parseInteger("4", 1, 3)).isNull();
     }
+
+    @Test
+    void aNumberIsWrittenAsShortAsItReadsBack() {
+        assertThat(Numbers.shortest(0.1)).isEqualTo("0.1");
+        assertThat(Numbers.shortest(-1e23)).isEqualTo("-1.0E23");
+    }
 }

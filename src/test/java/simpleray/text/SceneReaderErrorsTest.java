@@ -86,7 +86,7 @@ class SceneReaderErrorsTest {
             <stdin>:1:1: error: expected a number, found '*'
             * 1.5
             ^
-            <stdin>:1:3: error: expected type, found '1.5'
+            <stdin>:1:3: error: expected type, found '1.5' (an integer has only digits)
             * 1.5
               ^""");
     }

@@ -35,7 +35,7 @@ class SceneReaderPlacesTest {
     @Test
     void aByteOrderMarkThatBeginsALaterLineIsText() {
         assertThatThrownBy(reader("\n\uFEFF1")::readInt).hasMessage(
-            "<stdin>:2:1: error: expected an integer, found '\uFEFF1'\n\uFEFF1\n^");
+            "<stdin>:2:1: error: expected an integer, found '\uFFFD1' (with the invisible character U+FEFF)\n\uFFFD1\n^");
     }
 
     @Test
@@ -110,7 +110,7 @@ class SceneReaderPlacesTest {
     @Test
     void controlCharactersAreMadePrintable() {
         assertThatThrownBy(reader("*\0\u001B[31m\u0007\u0085")::readInt).hasMessage(
-            "<stdin>:1:1: error: expected an integer, found '*\uFFFD\uFFFD[31m\uFFFD\uFFFD'\n*\uFFFD\uFFFD[31m\uFFFD\uFFFD\n^");
+            "<stdin>:1:1: error: expected an integer, found '*\uFFFD\uFFFD[31m\uFFFD\uFFFD' (with NUL bytes; is the file UTF-16, or no text?)\n*\uFFFD\uFFFD[31m\uFFFD\uFFFD\n^");
     }
 
     @Test

@@ -10,6 +10,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class SceneReaderQuotedTest {
     @Test
@@ -24,9 +26,10 @@ class SceneReaderQuotedTest {
         assertThat(is.warnings()).isEmpty();
     }
 
-    @Test
-    void aQuoteEndsOnItsLine() {
-        assertThatThrownBy(() -> reader(" \"a\nb\"").readQuoted("name")).hasMessage(
+    @ParameterizedTest
+    @ValueSource(strings = {"\n", "\r", "\r\n"})
+    void aQuoteEndsOnItsLine(String lineBreak) {
+        assertThatThrownBy(() -> reader(" \"a" + lineBreak + "b\"").readQuoted("name")).hasMessage(
             "<stdin>:1:2: error: expected name between double quotes, found '\"a'\n \"a\n ^");
     }
 

@@ -138,7 +138,7 @@ class SceneReaderValuesTest {
             public void close() {
                 closed[0] = true;
             }
-        }, "name").close();
+        }, "name", Path.of("")).close();
 
         assertThat(closed).containsExactly(true);
     }

@@ -7,6 +7,7 @@ import java.math.BigDecimal;
 import java.math.MathContext;
 import java.math.RoundingMode;
 import java.util.Random;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -63,6 +64,7 @@ class ShortestDecimalTest {
         }
     }
 
+    @Tag("slow")
     @Test
     void anyDoubleReadsBackAndNothingShorterDoes() {
         Random random = new Random(SEED);
@@ -77,6 +79,7 @@ class ShortestDecimalTest {
         }
     }
 
+    @Tag("slow")
     @Test
     void anyFloatReadsBack() {
         Random random = new Random(SEED);

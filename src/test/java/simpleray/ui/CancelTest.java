@@ -16,7 +16,7 @@ class CancelTest {
     private static final int SIDE = 100;
 
     private final AtomicReference<Consumer<Ray>> hurdle = new AtomicReference<>(ray -> { });
-    private final TestScenes.Gate half = new TestScenes.Gate(0);
+    private final TestScenes.Gate half = new TestScenes.Gate(0, SIDE);
     private final TestScenes.Gate all = new TestScenes.Gate(1);
     private OpenWindow window;
 

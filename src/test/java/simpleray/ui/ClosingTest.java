@@ -12,8 +12,6 @@ import javax.imageio.ImageIO;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import simpleray.render.RenderSettings;
-import simpleray.scene.SimpleCamera;
 
 /** Closing the window. */
 class ClosingTest {

@@ -8,6 +8,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import simpleray.render.Stage;
 
 /** The keys, pressed on a keyboard. */
@@ -27,7 +28,8 @@ class KeysTest {
 
     @ParameterizedTest
     @CsvSource({"1, ORIGINAL, Original Scene", "2, LIGHTING, With Lighting", "3, FINAL, With Shadows and Reflections",
-        "A, AMBIENT, Ambient Term", "D, DIFFUSE, Diffuse Term", "S, SPECULAR, Specular Term"})
+        "A, AMBIENT, Ambient Term", "D, DIFFUSE, Diffuse Term", "S, SPECULAR, Specular Term", "N, NORMALS, Normals", "Z, DEPTH, Depth",
+        "O, OBJECTS, Object Numbers", "R, BOUNCES, Bounces of Rays", "M, SHADOWS, Shadows"})
     void aKeyShowsTheStageAndTicksItInTheMenu(char key, Stage stage, String item) {
         window.screen.press(KeyEvent.getExtendedKeyCodeForChar(Character.toLowerCase(key)));
 
@@ -37,10 +39,15 @@ class KeysTest {
         assertThat(OpenWindow.ask(window.item(item)::isSelected)).isTrue();
     }
 
-    @Test
-    void f5RendersAgain() {
+    @ParameterizedTest
+    @ValueSource(strings = {"F5", "control R"})
+    void reloadHasTwoKeys(String key) {
         Rendering before = window.rendering();
-        window.screen.press(KeyEvent.VK_F5);
+        if (key.equals("F5")) {
+            window.screen.press(KeyEvent.VK_F5);
+        } else {
+            window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_R);
+        }
 
         assertThat(window.rendering()).isNotSameAs(before);
         window.untilState(Rendering.State.FINISHED);

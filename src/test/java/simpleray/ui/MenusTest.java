@@ -30,18 +30,29 @@ class MenusTest {
     @Test
     void theFileMenuOpensSavesAndQuits() {
         assertThat(items(opened("File"))).containsExactly(
-            "Open… ctrl pressed O", "Save Picture As… ctrl pressed S", "Quit ctrl pressed Q");
+            "Open… ctrl pressed O", "Open Recent null", "Reload ctrl pressed R",
+            "Save Picture As… ctrl pressed S", "Copy Picture ctrl pressed C", "Copy Command Line shift ctrl pressed L",
+            "Quit ctrl pressed Q");
     }
 
     @Test
-    void theStageMenuHasTheThesissThreePicturesAndItsTerms() {
+    void theStageMenuHasTheThesissThreePicturesItsTermsAndTheViews() {
         assertThat(items(opened("Stage"))).containsExactly("Original Scene pressed 1", "With Lighting pressed 2",
-            "With Shadows and Reflections pressed 3", "Ambient Term pressed A", "Diffuse Term pressed D", "Specular Term pressed S");
+            "With Shadows and Reflections pressed 3", "Ambient Term pressed A", "Diffuse Term pressed D", "Specular Term pressed S",
+            "Normals pressed N",
+            "Depth pressed Z", "Object Numbers pressed O", "Bounces of Rays pressed R", "Shadows pressed M");
     }
 
     @Test
-    void theRenderMenuRendersAgainAndCancels() {
-        assertThat(items(opened("Render"))).containsExactly("Re-render pressed F5", "Cancel pressed ESCAPE");
+    void theInspectMenuHasTheStoryAndThePixelCursor() {
+        assertThat(items(opened("Inspect"))).containsExactly("Story of the Pixel pressed I", "Copy Story shift ctrl pressed I",
+            "Close Story shift pressed I", "Pixel Cursor Left alt pressed LEFT", "Pixel Cursor Right alt pressed RIGHT",
+            "Pixel Cursor Up alt pressed UP", "Pixel Cursor Down alt pressed DOWN");
+    }
+
+    @Test
+    void theRenderMenuPausesAndCancels() {
+        assertThat(items(opened("Render"))).containsExactly("Pause pressed SPACE", "Cancel pressed ESCAPE");
     }
 
     @Test
@@ -53,10 +64,10 @@ class MenusTest {
     }
 
     @Test
-    void aClickOnReRenderRendersAgain() {
+    void aClickOnReloadRendersAgain() {
         Rendering before = window.rendering();
-        opened("Render");
-        window.screen.click(window.item("Re-render"));
+        opened("File");
+        window.screen.click(window.item("Reload"));
 
         Screen.until("another rendering is there", () -> window.rendering() != before);
         window.untilState(Rendering.State.FINISHED);

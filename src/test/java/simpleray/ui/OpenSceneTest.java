@@ -3,10 +3,14 @@ package simpleray.ui;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.event.KeyEvent;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.OutputStream;
 import java.nio.file.Path;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import simpleray.cli.Main;
 
 /** File > Open…, through the dialog and by the keyboard. */
 class OpenSceneTest {
@@ -28,7 +32,7 @@ class OpenSceneTest {
         assertThat(window.frame.getTitle()).isEqualTo("SimpleRay");
         assertThat(window.status()).isEqualTo("Open a scene file: File > Open…");
         assertThat(window.canDo("Save Picture As…")).isFalse();
-        assertThat(window.canDo("Re-render")).isFalse();
+        assertThat(window.canDo("Reload")).isFalse();
         assertThat(window.canDo("Cancel")).isFalse();
     }
 
@@ -40,6 +44,18 @@ class OpenSceneTest {
 
         window.untilShown("the picture", TestScenes.rendered(scene, SIDE, SIDE));
         assertThat(window.frame.getTitle()).isEqualTo("blue.scene - SimpleRay");
+    }
+
+    @Test
+    void aPictureBringsItsScene() throws IOException {
+        Path picture = folder.resolve("thesis.png");
+        String[] command = {"render", TestScenes.THESIS.toString(), "-o", picture.toString(), "-q"};
+        assertThat(Main.run(command, InputStream.nullInputStream(), OutputStream.nullOutputStream(), System.err)).isZero();
+        window = new OpenWindow(SceneSource.NONE, SIDE, SIDE);
+        open(picture);
+
+        window.untilShown("the picture", TestScenes.rendered(TestScenes.THESIS, SIDE, SIDE));
+        assertThat(window.frame.getTitle()).isEqualTo("thesis.png - SimpleRay");
     }
 
     @Test

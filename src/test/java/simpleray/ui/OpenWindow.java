@@ -81,6 +81,11 @@ final class OpenWindow implements AutoCloseable {
         });
     }
 
+    /** Has the event thread do something that may take as long as a dialog is open. */
+    static void later(Runnable task) {
+        SwingUtilities.invokeLater(task);
+    }
+
     /** {@return the component and all that it contains} For the event thread. */
     static Stream<Component> all(Component top) {
         Stream<Component> parts = top instanceof Container c ? Arrays.stream(c.getComponents()).flatMap(OpenWindow::all) : Stream.empty();
@@ -134,6 +139,11 @@ final class OpenWindow implements AutoCloseable {
     /** {@return the problems that are shown; null if there is no such pane} */
     JTextComponent problems() {
         return ask(() -> seen(JTextComponent.class, c -> "problems".equals(c.getName())));
+    }
+
+    /** Waits until problems are shown that have a text among them: a file may be read while only a part of it is written. */
+    void untilProblems(String text) {
+        Screen.until("the problems are shown", () -> problems() != null && problems().getText().contains(text));
     }
 
     JScrollPane scroll() {

@@ -47,11 +47,10 @@ class ProblemsTest {
         TestScenes.write(scene, BAD);
         window.screen.press(KeyEvent.VK_F5);
 
-        window.untilState(Rendering.State.FAILED);
+        untilTold();
         assertThat(window.problems().getText()).isEqualTo(scene + ":2:22: error: expected object 1's ambient blue, found 'oops'\n"
             + "1  0 0 1 -1  0.2 0.4 oops  0 0 0  0 0 0  0\n" + " ".repeat(21) + "^");
         window.untilShown("the good picture", good);
-        assertThat(window.status()).isEqualTo("The scene was not read: see above");
     }
 
     @Test
@@ -88,7 +87,7 @@ class ProblemsTest {
         window.untilState(Rendering.State.FAILED);
         assertThat(window.problems().getText()).startsWith(scene + ":2:22: error: ");
         assertThat(window.canDo("Save Picture As…")).isFalse();
-        assertThat(window.canDo("Re-render")).isTrue();
+        assertThat(window.canDo("Reload")).isTrue();
     }
 
     @Test
@@ -121,6 +120,12 @@ class ProblemsTest {
         });
 
         window.untilShown("the picture", TestScenes.rendered(scene, 2 * SIDE, 2 * SIDE));
+    }
+
+    /** Waits until errors are shown: those of a file that was found changed are, once it does not change any more. */
+    private void untilTold() {
+        Screen.until("the errors are shown", () -> window.problems() != null && window.problems().isShowing()
+            && window.status().equals("The scene was not read: see above"));
     }
 
     private BufferedImage openGoodScene() {

@@ -3,6 +3,8 @@ package simpleray.ui;
 import java.awt.AWTEvent;
 import java.awt.AWTException;
 import java.awt.Component;
+import java.awt.Dialog;
+import java.awt.MouseInfo;
 import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.Robot;
@@ -10,6 +12,7 @@ import java.awt.Toolkit;
 import java.awt.event.AWTEventListener;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
+import java.awt.event.MouseEvent;
 import java.awt.image.BufferedImage;
 import java.io.File;
 import java.io.IOException;
@@ -17,7 +20,11 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.BooleanSupplier;
+import java.util.function.Supplier;
 import javax.imageio.ImageIO;
+import javax.swing.JComponent;
+import javax.swing.JMenuItem;
+import javax.swing.SwingUtilities;
 import javax.swing.Timer;
 
 /** The screen as a user has it: keys, the mouse, and what can be seen. It waits for what is to happen, never for a time to pass. */
@@ -27,6 +34,7 @@ final class Screen {
     /** How long anything may take. */
     static final int SECONDS = 30;
     private static final int LOOK = 5;                        // milliseconds between two looks
+    private static final int NUDGE = 200;                     // looks after which a dialog that is not under the mouse is moved
 
     private final Robot robot;
 
@@ -100,12 +108,47 @@ final class Screen {
         }
     }
 
-    /** Clicks into the middle of a component. */
-    void click(Component component) {
-        Rectangle place = OpenWindow.ask(() -> new Rectangle(component.getLocationOnScreen(), component.getSize()));
-        robot.mouseMove((int) place.getCenterX(), (int) place.getCenterY());
-        robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
-        robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+    /** Clicks into the middle of what can be seen of a component; again if it was elsewhere by then, as one is that was just added. */
+    void click(JComponent component) {
+        click(component, () -> {
+            Rectangle seen = component.getVisibleRect();
+            return new Point((int) seen.getCenterX(), (int) seen.getCenterY());
+        });
+    }
+
+    /** Clicks at a place of a component, which is asked for on the event thread; again if that was elsewhere by then. */
+    void click(JComponent component, Supplier<Point> at) {
+        AtomicReference<Component> hit = new AtomicReference<>();
+        AWTEventListener listener = e -> {
+            if (e.getID() == MouseEvent.MOUSE_RELEASED) {
+                hit.set((Component) e.getSource());
+            }
+        };
+        Toolkit.getDefaultToolkit().addAWTEventListener(listener, AWTEvent.MOUSE_EVENT_MASK);
+        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(SECONDS);
+        do {
+            until("a component can be seen", () -> component.isShowing() && !component.getVisibleRect().isEmpty());
+            int[] looks = {0};
+            until("the mouse is over the component", () -> {   // and no other window is between them, as before a dialog is there
+                Point part = at.get();
+                SwingUtilities.convertPointToScreen(part, component);
+                boolean there = MouseInfo.getPointerInfo().getLocation().equals(part)
+                    && (component.getMousePosition(true) != null || component instanceof JMenuItem item && item.isArmed());
+                if (!there) {
+                    robot.mouseMove(part.x, part.y);
+                    if (++looks[0] % NUDGE == 0 && SwingUtilities.getWindowAncestor(component) instanceof Dialog dialog) {
+                        dialog.setLocation(dialog.getX() + 1, dialog.getY());   // the toolkit had its place wrong, and learns it by this
+                    }
+                }
+                return there;
+            });
+            hit.set(null);
+            robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
+            robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+            until("a click reaches a window", () -> hit.get() != null);
+        } while (!SwingUtilities.isDescendingFrom(hit.get(), component) && System.nanoTime() < end);
+        Toolkit.getDefaultToolkit().removeAWTEventListener(listener);
+        OpenWindow.run(() -> { });
     }
 
     BufferedImage capture(Rectangle place) {
@@ -137,7 +180,7 @@ final class Screen {
     private static void arrive(CountDownLatch latch, String what) {
         try {
             if (!latch.await(SECONDS, TimeUnit.SECONDS)) {
-                File file = new File(System.getProperty("simpleray.build"), "captures/late.png");
+                File file = new File(System.getProperty("simpleray.build"), "captures/late-" + what.replaceAll("\\W+", "-") + ".png");
                 file.getParentFile().mkdirs();
                 ImageIO.write(new Screen().capture(), "png", file);
                 throw new AssertionError("not within " + SECONDS + " s: " + what + "; see " + file);

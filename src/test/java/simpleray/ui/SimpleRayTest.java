@@ -10,8 +10,6 @@ import javax.swing.JFrame;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import simpleray.render.RenderSettings;
-import simpleray.scene.SimpleCamera;
 
 /** The thesis's applet in its new clothes: init, start, stop, run, paint and update, in a frame of somebody else. */
 class SimpleRayTest {

@@ -9,9 +9,11 @@ import java.nio.file.Path;
 import java.util.Locale;
 import java.util.concurrent.CountDownLatch;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import simpleray.image.Picture;
 import simpleray.math.Ray;
 import simpleray.render.RenderListener;
+import simpleray.render.RenderRequest;
 import simpleray.render.RenderSettings;
 import simpleray.render.Renderer;
 import simpleray.render.Stage;
@@ -29,20 +31,37 @@ final class TestScenes {
 
     /** {@return what the screen should show: the levels of the picture that rendering without a window makes} */
     static BufferedImage rendered(Path scene, int width, int height, Stage stage) {
+        return rendered(scene, read -> new Renderer(read, new SimpleCamera(width, height), new RenderSettings().with(stage)));
+    }
+
+    /** {@return what the screen should show in the end of a request} */
+    static BufferedImage rendered(Path scene, RenderRequest request) {
+        return rendered(scene, request::renderer);
+    }
+
+    private static BufferedImage rendered(Path scene, Function<Scene, Renderer> renderer) {
         try {
-            Picture picture = new Renderer(SceneFile.read(scene).scene(), new SimpleCamera(width, height), new RenderSettings().with(stage))
-                .render(RenderListener.NONE);
-            BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
-            for (int y = 0; y < height; y++) {
-                byte[] levels = picture.levels(y);
-                for (int x = 0; x < width; x++) {
-                    image.setRGB(x, y, (levels[3 * x] & 0xFF) << 16 | (levels[3 * x + 1] & 0xFF) << 8 | levels[3 * x + 2] & 0xFF);
-                }
-            }
-            return image;
+            return shown(renderer.apply(SceneFile.read(scene).scene()).render(RenderListener.NONE));
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
+    }
+
+    /** {@return the levels of a picture} */
+    static BufferedImage shown(Picture picture) {
+        BufferedImage image = new BufferedImage(picture.width(), picture.height(), BufferedImage.TYPE_INT_RGB);
+        for (int y = 0; y < picture.height(); y++) {
+            byte[] levels = picture.levels(y);
+            for (int x = 0; x < picture.width(); x++) {
+                image.setRGB(x, y, (levels[3 * x] & 0xFF) << 16 | (levels[3 * x + 1] & 0xFF) << 8 | levels[3 * x + 2] & 0xFF);
+            }
+        }
+        return image;
+    }
+
+    /** {@return whether two pictures of one size have the same pixels} */
+    static boolean sameAs(BufferedImage one, BufferedImage other) {
+        return Screen.shows(one, 0, 0, other, 0, other.getHeight());
     }
 
     static BufferedImage rendered(Path scene, int width, int height) {
@@ -112,22 +131,35 @@ final class TestScenes {
     static final class Gate implements Consumer<Ray> {
         private final CountDownLatch open = new CountDownLatch(1);
         private final double below;
+        private final int side;                               // of the picture; 0 to hold all its rays
 
         /** Holds rays whose direction has a y below this: 0 for the lower half of the picture. */
         Gate(double below) {
+            this(below, 0);
+        }
+
+        /** Holds of these rays only those of a square picture's last pass: coarse blocks of 2 by 2 pixels come through. */
+        Gate(double below, int side) {
             this.below = below;
+            this.side = side;
         }
 
         @Override
         public void accept(Ray ray) {
             boolean fromTheEye = ray.origin.x == 0 && ray.origin.y == 0 && ray.origin.z == SimpleCamera.DEFAULT_COP;
-            if (fromTheEye && ray.direction.y < below) {
+            if (fromTheEye && ray.direction.y < below && (side == 0 || isOfLastPass(ray))) {
                 try {
                     open.await();
                 } catch (InterruptedException e) {
                     throw new IllegalStateException(e);
                 }
             }
+        }
+
+        private boolean isOfLastPass(Ray ray) {
+            double across = ray.direction.x / -ray.direction.z;   // -1 to 1, as the eye is as far away as the window is half wide
+            double down = ray.direction.y / ray.direction.z;
+            return ((int) ((across + 1) / 2 * side) | (int) ((down + 1) / 2 * side)) % 2 != 0;
         }
 
         void open() {

@@ -19,9 +19,10 @@ class ViewCommandTest {
         BufferedImage expected = TestScenes.rendered(TestScenes.THESIS, 300, 200, Stage.LIGHTING);
         Path java = Path.of(System.getProperty("java.home"), "bin", "java");
         Process process = new ProcessBuilder(java.toString(), "-jar", System.getProperty("simpleray.jar"), "view",
-            TestScenes.THESIS.toString(), "--size", "300x200", "--stage", "lighting").inheritIO().start();
+            TestScenes.THESIS.toString(), "--size", "300x200", "--stage", "lighting", "--look", "dark").inheritIO().start();
         try {
             Screen.until("the picture is somewhere on the screen", () -> isShown(expected));
+            Screen.until("something dark is around it", this::isDark);
             process.destroy();
 
             assertThat(process.waitFor(20, TimeUnit.SECONDS)).isTrue();
@@ -30,6 +31,18 @@ class ViewCommandTest {
         } finally {
             process.destroyForcibly();
         }
+    }
+
+    /** {@return whether no large part of the screen is nearly white} */
+    private boolean isDark() {
+        BufferedImage capture = screen.capture();
+        int bright = 0;
+        for (int y = 0; y < capture.getHeight(); y += 4) {
+            for (int x = 0; x < capture.getWidth(); x += 4) {
+                bright += (capture.getRGB(x, y) & 0xFF) > 0xE0 ? 1 : 0;
+            }
+        }
+        return bright < capture.getWidth() * capture.getHeight() / 16 / 100;
     }
 
     private boolean isShown(BufferedImage expected) {

@@ -5,9 +5,14 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.awt.Dimension;
 import java.awt.Insets;
+import java.awt.MouseInfo;
+import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.event.KeyEvent;
 import java.awt.image.BufferedImage;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -111,6 +116,104 @@ class ZoomTest {
 
         Screen.until("the same is on the screen", () -> Screen.shows(
             window.screen.capture(window.picture(), window.picture().place()), 0, 0, inOneGo, 0, inOneGo.getHeight()));
+    }
+
+    @Test
+    void theWheelWithControlZoomsAboutTheCursorAndPixelsAreCrisp() {
+        window.untilShown("the picture", whole);
+        Mouse mouse = new Mouse(window.picture());
+        Rectangle place = OpenWindow.ask(() -> window.picture().place());
+        // a little right of the middle, lest an edge of the enlarged picture comes into the window
+        Point cursor = new Point(place.x + 310, place.y + 140);
+        Point pixel = new Point(310, 140);
+        assertThat(OpenWindow.ask(() -> window.picture().pixelAt(cursor))).isEqualTo(pixel);
+        mouse.move(cursor);
+        Point onScreen = OpenWindow.ask(() -> MouseInfo.getPointerInfo().getLocation());
+        mouse.holding(KeyEvent.VK_CONTROL, () -> {
+            mouse.wheel(-1);
+            for (int scale : new int[] {2, 3, 4}) {
+                assertThat(OpenWindow.ask(() -> window.picture().zoom().scale())).isEqualTo(scale);
+                assertThat(window.label("zoom")).isEqualTo(100 * scale + " %");
+                assertThat(OpenWindow.ask(() -> pixelUnder(onScreen))).isEqualTo(pixel);
+                mouse.wheel(-1);
+            }
+            assertThat(OpenWindow.ask(() -> pixelUnder(onScreen))).isEqualTo(pixel);
+            assertThat(scrollBars()).isEqualTo("both");
+            Screen.until("each pixel is a square of six", () -> isCrisp(6));
+            for (int i = 0; i < 4; i++) {
+                mouse.wheel(1);
+            }
+        });
+        window.untilShown("the picture", whole);
+        assertThat(window.label("zoom")).isEqualTo("100 %");
+        assertThat(OpenWindow.ask(() -> window.picture().request().settings().camera)).as("it moves no camera").isNull();
+    }
+
+    @Test
+    void keysZoomAboutTheMiddle() {
+        window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_EQUALS);
+        window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_EQUALS);
+        assertThat(window.label("zoom")).isEqualTo("300 %");
+        Point middle = OpenWindow.ask(() -> {
+            Rectangle seen = window.picture().getVisibleRect();
+            return window.picture().pixelAt(new Point((int) seen.getCenterX(), (int) seen.getCenterY()));
+        });
+        assertThat(middle.distance(WIDTH / 2.0, HEIGHT / 2.0)).isLessThan(5);
+        window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_MINUS);
+        assertThat(window.label("zoom")).isEqualTo("200 %");
+        window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_0);
+        window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_MINUS);
+        window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_MINUS);
+        assertThat(window.label("zoom")).isEqualTo("50 %");
+        assertThat(OpenWindow.ask(() -> window.picture().place().getSize())).isEqualTo(new Dimension(WIDTH / 2, HEIGHT / 2));
+    }
+
+    @Test
+    void theMenuTicksTheZoomThatIsShown() {
+        window.screen.press(KeyEvent.VK_F);
+        assertThat(ticks()).isEqualTo("Fit to Window");
+        window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_EQUALS);
+        assertThat(ticks()).isEmpty();
+        window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_0);
+        assertThat(ticks()).isEqualTo("Actual Size");
+        window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_0);
+        assertThat(ticks()).isEqualTo("Actual Size");
+    }
+
+    @Test
+    void controlAndArrowsScroll() {
+        resize(SMALL);
+        Screen.until("there are scroll bars", () -> scrollBars().equals("both"));
+        window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_RIGHT);
+        window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_DOWN);
+        window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_DOWN);
+
+        untilPieceIsShown(16, 32);
+    }
+
+    private String ticks() {
+        return Stream.of("Actual Size", "Fit to Window").filter(name -> OpenWindow.ask(window.item(name)::isSelected))
+            .collect(Collectors.joining(", "));
+    }
+
+    private Point pixelUnder(Point onScreen) {
+        Point inPicture = new Point(onScreen);
+        SwingUtilities.convertPointFromScreen(inPicture, window.picture());
+        return window.picture().pixelAt(inPicture);
+    }
+
+    /** {@return whether all that is on the screen of the picture are squares of its pixels} */
+    private boolean isCrisp(int scale) {
+        Rectangle piece = window.picture().getVisibleRect();
+        BufferedImage capture = window.screen.capture(window.picture(), piece);
+        for (int y = 0; y < piece.height; y++) {
+            for (int x = 0; x < piece.width; x++) {
+                if (capture.getRGB(x, y) != whole.getRGB((piece.x + x) / scale, (piece.y + y) / scale)) {
+                    return false;
+                }
+            }
+        }
+        return true;
     }
 
     private void resize(Dimension size) {

@@ -1,0 +1,117 @@
+package simpleray.accel;
+
+import simpleray.math.Bounds;
+import simpleray.scene.Object;
+
+/**
+ * The boxes of bounded objects, as floats about the middle of them all, each a little larger than its object: by more than all rounding of
+ * a ray's way to it, in float or double, can amount to. <em>Mutable</em>: whoever builds a tree of them changes their order.
+ */
+final class Boxes {
+    /** Numbers a box: its low corner x, y, z, then its high one. */
+    static final int SIDES = 6;
+    /** By what share of the half extent of all of them a box is larger. */
+    private static final double PAD = 0x1p-20;
+    /** By what share of their distance from the origin, where numbers are coarse. */
+    private static final double FAR_PAD = 0x1p-40;
+
+    /** How many extents from the middle a ray may start. */
+    private static final double FARTHEST = 1e6;
+
+    /** The middle of all boxes. */
+    final double[] middle = new double[3];
+    /** The largest coordinate about the middle; above 0. */
+    final double extent;
+    /** The boxes, six numbers each. */
+    final float[] sides;
+    /** Which object each is of. */
+    final int[] ids;
+
+    /**
+     * Makes the boxes of objects.
+     *
+     * @param objects all objects of a scene
+     * @param ids the places of those that get boxes, whose bounds are finite; kept
+     * @param pool who may work on it
+     */
+    Boxes(Object[] objects, int[] ids, Pool pool) {
+        this.ids = ids;
+        sides = new float[SIDES * ids.length];
+        double[] low = {Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY};
+        double[] high = {Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY};
+        pool.ranges(ids.length, (from, to) -> {
+            Bounds all = objects[ids[from]].bounds();
+            for (int i = from + 1; i < to; i++) {
+                all = all.with(objects[ids[i]].bounds());
+            }
+            synchronized (low) {
+                low[0] = Math.min(low[0], all.xmin());
+                low[1] = Math.min(low[1], all.ymin());
+                low[2] = Math.min(low[2], all.zmin());
+                high[0] = Math.max(high[0], all.xmax());
+                high[1] = Math.max(high[1], all.ymax());
+                high[2] = Math.max(high[2], all.zmax());
+            }
+        });
+        double half = Float.MIN_NORMAL;
+        double far = 0;
+        for (int axis = 0; axis < 3; axis++) {
+            middle[axis] = (low[axis] + high[axis]) / 2;
+            half = Math.max(half, (high[axis] - low[axis]) / 2);
+            far = Math.max(far, Math.abs(middle[axis]));
+        }
+        double pad = Math.max(half * PAD, far * FAR_PAD);
+        extent = half + pad;
+        pool.ranges(ids.length, (from, to) -> {
+            for (int i = from; i < to; i++) {
+                Bounds b = objects[ids[i]].bounds();
+                int at = SIDES * i;
+                sides[at] = (float) (b.xmin() - middle[0] - pad);
+                sides[at + 1] = (float) (b.ymin() - middle[1] - pad);
+                sides[at + 2] = (float) (b.zmin() - middle[2] - pad);
+                sides[at + 3] = (float) (b.xmax() - middle[0] + pad);
+                sides[at + 4] = (float) (b.ymax() - middle[1] + pad);
+                sides[at + 5] = (float) (b.zmax() - middle[2] + pad);
+            }
+        });
+    }
+
+    /** {@return a length that is more than all rounding of a ray's way} */
+    double slack() {
+        return extent * PAD;
+    }
+
+    /** {@return how far from the middle a ray may start; from farther away rounding would not let it find its way} */
+    double reach() {
+        return FARTHEST * extent;
+    }
+
+    /** {@return how many there are} */
+    int count() {
+        return ids.length;
+    }
+
+    /** Brings the boxes into an order, given as where each comes from. */
+    void reorder(int[] order) {
+        int[] oldIds = ids.clone();
+        float[] oldSides = sides.clone();
+        for (int i = 0; i < order.length; i++) {
+            ids[i] = oldIds[order[i]];
+            System.arraycopy(oldSides, SIDES * order[i], sides, SIDES * i, SIDES);
+        }
+    }
+
+    /** Swaps two boxes. */
+    void swap(int i, int j) {
+        int id = ids[i];
+        ids[i] = ids[j];
+        ids[j] = id;
+        int a = SIDES * i;
+        int b = SIDES * j;
+        for (int k = 0; k < SIDES; k++) {
+            float side = sides[a + k];
+            sides[a + k] = sides[b + k];
+            sides[b + k] = side;
+        }
+    }
+}

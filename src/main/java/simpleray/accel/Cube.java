@@ -1,0 +1,44 @@
+package simpleray.accel;
+
+/**
+ * The directions from a point as a cube about it, each face cut into cells: columns along its first axis, rows along its second.
+ * <em>Constant.</em>
+ *
+ * @param side how many cells there are along an edge
+ */
+record Cube(int side) {
+    /** How many faces there are; face 2 a looks along axis a, and face 2 a + 1 the other way. */
+    static final int FACES = 6;
+
+    /** {@return how many cells there are} */
+    int cells() {
+        return FACES * side * side;
+    }
+
+    /** {@return the first axis of a face's own} */
+    static int across(int face) {
+        return face < 2 ? 1 : 0;
+    }
+
+    /** {@return the second axis of a face's own} */
+    static int along(int face) {
+        return face < 4 ? 2 : 1;
+    }
+
+    /** {@return the column or row of a slope, from -1 to 1} */
+    int column(double slope) {
+        return Math.max(0, Math.min(side - 1, (int) ((slope + 1) * 0.5 * side)));
+    }
+
+    /** {@return the slope where a column or row begins} */
+    double slope(int column) {
+        return 2.0 * column / side - 1;
+    }
+
+    /** {@return the cell of a direction} */
+    int cell(Direction d) {
+        int row = Math.min(side - 1, (int) ((d.along + 1) * 0.5 * side));   // its slopes are -1 or more: the same column as of those
+        int column = Math.min(side - 1, (int) ((d.across + 1) * 0.5 * side));
+        return (d.face * side + row) * side + column;
+    }
+}

@@ -1,0 +1,299 @@
+package simpleray.accel;
+
+import java.util.Arrays;
+import simpleray.math.Ray;
+
+/** Finds what rays hit first, and what stands between a point and a light. <em>Mutable</em>: one thread's own. */
+final class Finder {
+    /** No object. */
+    static final int NONE = -1;
+
+    /** Where the nearest hit is. */
+    double t;
+    /** Which object is hit there, a place in {@link Primitives}, or {@link #NONE}. */
+    int hit;
+    /** The objects between the point and the light that let light through, in no order, and how many they are. */
+    int[] dimming = new int[16];
+    int dimmers;
+
+    private int hitOrder;                                     // its place in the scene
+    private long[] noted;                                     // for which shadow each object was noted last
+    private long shadows;
+
+    final Tally tally = new Tally();
+    private final Direction direction = new Direction();
+
+    private final Engine engine;
+    final Primitives all;
+    private final Walk walk;
+    private final int[] lastBlockers;                         // of the bounded objects, for each light
+    private final int[][] rows;                               // for each light that needs it: Engine.inRow, the last blocker first
+
+    Finder(Engine engine) {
+        this.engine = engine;
+        all = engine.primitives;
+        walk = engine.structure == null ? null : engine.structure.walk(this);
+        lastBlockers = new int[engine.lights.length];
+        Arrays.fill(lastBlockers, NONE);
+        rows = new int[engine.lights.length][];
+    }
+
+    /**
+     * Finds the nearest hit, of two at the same t the object that is listed first in the scene. One loop for lists by direction and for objects
+     * in a row, in a method too long to become part of others: what is compiled once is compiled soon.
+     */
+    boolean nearest(Ray ray, boolean fromEye) {
+        double best = Double.POSITIVE_INFINITY;               // in locals, which the machine keeps at hand
+        int bestPlace = NONE;
+        int bestOrder = Integer.MAX_VALUE;
+        FewBuffer few = null;
+        if (fromEye) {
+            direction.set(ray.direction.x, ray.direction.y, ray.direction.z);
+            few = engine.eyeFew;
+        }
+        int[] places = engine.inRow;
+        double[] near = engine.anywhere;
+        int first = 0;
+        int end = places.length;
+        boolean whole = walk == null;
+        if (few != null) {
+            places = few.places;
+            near = few.near;
+            int cell = few.cube.cell(direction);
+            first = few.starts[cell];
+            end = few.starts[cell + 1];
+            whole = few.whole;
+        }
+        int i = first;
+        for (; i < end && near[i] <= best; i++) {             // where one is farther, so are the rest
+            int place = places[i];
+            double at = all.intersect(place, ray);
+            if (at >= 0 && isBefore(at, all.order[place], best, bestOrder)) {
+                best = at;
+                bestPlace = place;
+                bestOrder = all.order[place];
+            }
+        }
+        tally.tests += i - first;
+        t = best;
+        hit = bestPlace;
+        hitOrder = bestOrder;
+        if (!whole && all.bounded > 0) {
+            nearestBounded(ray, fromEye);
+        }
+        return hit != NONE;
+    }
+
+    private void nearestBounded(Ray ray, boolean fromEye) {
+        if (fromEye && engine.eyeBuffer != null) {
+            nearestOf(engine.eyeBuffer, ray);
+        } else if (walk != null && walk.canFollow(ray)) {
+            walk.nearest(ray);
+        } else {
+            nearestOfRange(ray, 0, all.bounded);
+        }
+    }
+
+    void nearestOfRange(Ray ray, int first, int end) {
+        for (int i = first; i < end; i++) {
+            double at = all.intersectBounded(i, ray);
+            if (at >= 0 && isBefore(at, all.order[i], t, hitOrder)) {
+                t = at;
+                hit = i;
+                hitOrder = all.order[i];
+            }
+        }
+        tally.tests += end - first;
+    }
+
+    /** Asks the objects of a list. */
+    void nearestOfList(Ray ray, int[] places, int first, int end) {
+        double best = t;
+        int bestPlace = hit;
+        int bestOrder = hitOrder;
+        for (int i = first; i < end; i++) {
+            int place = places[i];
+            double at = all.intersectBounded(place, ray);
+            if (at >= 0 && isBefore(at, all.order[place], best, bestOrder)) {
+                best = at;
+                bestPlace = place;
+                bestOrder = all.order[place];
+            }
+        }
+        t = best;
+        hit = bestPlace;
+        hitOrder = bestOrder;
+        tally.tests += end - first;
+    }
+
+    /** Asks the objects that lie in a direction from the eye, until the rest is farther away than the nearest hit. */
+    private void nearestOf(DirectionBuffer buffer, Ray ray) {
+        double best = t;
+        int bestPlace = hit;
+        int bestOrder = hitOrder;
+        int cell = buffer.cube.cell(direction);
+        int first = buffer.starts[cell];
+        int end = buffer.starts[cell + 1];
+        int i = first;
+        for (; i < end && buffer.near[buffer.places[i]] <= best; i++) {
+            int place = buffer.places[i];
+            double at = all.intersectBounded(place, ray);
+            if (at >= 0 && isBefore(at, all.order[place], best, bestOrder)) {
+                best = at;
+                bestPlace = place;
+                bestOrder = all.order[place];
+            }
+        }
+        t = best;
+        hit = bestPlace;
+        hitOrder = bestOrder;
+        tally.tests += i - first;
+    }
+
+    /**
+     * {@return whether a hit is nearer than the nearest one, or as near and of an object that is listed earlier} Both are 0 or more, and so in the
+     * order of their bits. Ties are rare: a branch for them would be compiled only once one is met.
+     */
+    private static boolean isBefore(double at, int order, double nearest, int nearestOrder) {
+        return Double.doubleToRawLongBits(at) - Double.doubleToRawLongBits(nearest) - (order - nearestOrder >>> Integer.SIZE - 1) < 0;
+    }
+
+    /**
+     * Tells whether anything opaque stands between a point and a light, and notes what dims it.
+     *
+     * @param ray from the point towards the light
+     * @param distance how far the light is, infinite for a directional one
+     * @param light which light it is
+     */
+    boolean isBlocked(Ray ray, double distance, int light) {
+        dimmers = 0;
+        shadows++;
+        if (walk != null && lastBlocks(ray, distance, light)) {
+            return true;
+        }
+        FewBuffer few = null;
+        if (engine.directions[light] == null) {               // where the point is as the light sees it
+            direction.set(-ray.direction.x, -ray.direction.y, -ray.direction.z);
+            few = engine.lightFew[light];
+        }
+        int[] places = rows[light];
+        double[] near = engine.anywhere;
+        int first = 0;
+        int end = engine.inRow.length;
+        boolean inRow = few == null || distance > few.reach;
+        boolean whole = walk == null;
+        if (!inRow) {
+            places = few.places;
+            near = few.near;
+            int cell = few.cube.cell(direction);
+            first = few.starts[cell];
+            end = few.starts[cell + 1];
+            whole = few.whole;
+        } else if (places == null) {
+            places = engine.inRow.clone();
+            rows[light] = places;
+        }
+        int blocker = NONE;
+        int i = first;
+        for (; i < end && blocker == NONE && near[i] <= distance; i++) {
+            int place = places[i];
+            if (isWithin(all.intersect(place, ray), distance) && (all.opaque || blocks(place))) {
+                blocker = place;
+            }
+        }
+        tally.tests += i - first;
+        if (inRow && blocker != NONE) {                       // to be asked first the next time
+            places[i - 1] = places[0];
+            places[0] = blocker;
+        }
+        if (!whole && blocker == NONE && all.bounded > 0) {
+            blocker = boundedBlocker(ray, distance, light);
+            lastBlockers[light] = blocker == NONE ? lastBlockers[light] : blocker;
+        }
+        return blocker != NONE;
+    }
+
+    private boolean lastBlocks(Ray ray, double distance, int light) {
+        int last = lastBlockers[light];
+        if (last == NONE) {
+            return false;
+        }
+        tally.tests++;
+        return isWithin(all.intersectBounded(last, ray), distance);
+    }
+
+    private int boundedBlocker(Ray ray, double distance, int light) {
+        if (engine.lightBuffers[light] != null && distance <= all.reach) {
+            return blockerOf(engine.lightBuffers[light], ray, distance);
+        }
+        return walk != null && walk.canFollow(ray) ? walk.blocker(ray, distance) : blockerOfRange(ray, distance, 0, all.bounded);
+    }
+
+    /**
+     * {@return whether a hit, not a miss, is nearer than a distance} The bits of a negative number, without a sign, are those of a large one. So
+     * this is one question: of two, one might be answered for the first time long after the machine has compiled them.
+     */
+    private static boolean isWithin(double at, double distance) {
+        return Double.doubleToRawLongBits(at) + Long.MIN_VALUE < Double.doubleToRawLongBits(distance) + Long.MIN_VALUE;
+    }
+
+    /** {@return whether an object that is in the way is opaque}; notes it if it is not, however often it is met */
+    private boolean blocks(int place) {
+        if (all.opaque || all.materials[place].transmission.isBlack()) {
+            return true;
+        }
+        if (noted == null) {
+            noted = new long[all.count()];
+        }
+        if (noted[place] != shadows) {
+            noted[place] = shadows;
+            if (dimmers == dimming.length) {
+                dimming = Arrays.copyOf(dimming, 2 * dimmers);
+            }
+            dimming[dimmers++] = place;
+        }
+        return false;
+    }
+
+    /** {@return an opaque object of a range that is in the way; notes what dims} */
+    int blockerOfRange(Ray ray, double distance, int first, int end) {
+        for (int i = first; i < end; i++) {
+            double at = all.intersectBounded(i, ray);
+            if (isWithin(at, distance) && blocks(i)) {
+                tally.tests += i - first + 1;
+                return i;
+            }
+        }
+        tally.tests += end - first;
+        return NONE;
+    }
+
+    /** {@return an opaque object of a list that is in the way; notes what dims} */
+    int blockerOfList(Ray ray, double distance, int[] places, int first, int end) {
+        for (int i = first; i < end; i++) {
+            double at = all.intersectBounded(places[i], ray);
+            if (isWithin(at, distance) && blocks(places[i])) {
+                tally.tests += i - first + 1;
+                return places[i];
+            }
+        }
+        tally.tests += end - first;
+        return NONE;
+    }
+
+    /** {@return an opaque object in the way to a light, asking those that are as near to it as the ray's origin; notes what dims} */
+    private int blockerOf(DirectionBuffer buffer, Ray ray, double distance) {
+        int cell = buffer.cube.cell(direction);
+        int first = buffer.starts[cell];
+        int end = first;
+        for (int last = buffer.starts[cell + 1]; end < last && buffer.near[buffer.places[end]] <= distance; end++) {
+            double at = all.intersectBounded(buffer.places[end], ray);
+            if (isWithin(at, distance) && blocks(buffer.places[end])) {
+                tally.tests += end - first + 1;
+                return buffer.places[end];
+            }
+        }
+        tally.tests += end - first;
+        return NONE;
+    }
+}

@@ -1,0 +1,161 @@
+package simpleray.accel;
+
+import java.util.Arrays;
+import simpleray.scene.Object;
+import simpleray.scene.Sphere;
+
+/**
+ * Cells of one size, each with a list of the objects in it (Fujimoto, Tanaka and Iwata, "ARTS: Accelerated Ray-Tracing System", 1986): the
+ * fastest way through objects that are spread about evenly, and of no use where they are not. <em>Constant.</em>
+ */
+final class Grid implements Structure {
+    /** So many cells for each object. */
+    private static final double CELLS_AN_OBJECT = 4;
+    private static final int MOST_CELLS_A_SIDE = 1024;
+    /** An axis along which all objects together are thinner than this share of the longest counts as that thick. */
+    private static final double LEAST_THICKNESS = 1e-4;
+    private static final long LISTED_AN_OBJECT = 24;
+    private static final long LISTED_ANYWAY = 1 << 12;
+    /** How many objects may have their middles in the cell of an object, itself among them, on the average. */
+    private static final double MOST_IN_CELL = 4;
+
+    final Boxes boxes;
+    /** How many cells there are along each axis. */
+    final int[] cells = new int[3];
+    /** Half the size of the grid along each axis, about the middle of the boxes. */
+    final double[] half = new double[3];
+    /** The size of a cell along each axis. */
+    final double[] size = new double[3];
+    /** Where the list of each cell begins in {@link #places}, x first, and at last where the last one ends. */
+    int[] starts;
+    /** The lists. */
+    int[] places;
+
+    private final int[] from = new int[3];
+    private final int[] to = new int[3];
+
+    private Grid(Boxes boxes) {
+        this.boxes = boxes;
+    }
+
+    /** {@return a grid of the boxes, which are brought into an order in which neighbours are near; null if a grid is of no use} */
+    static Grid of(Boxes boxes, boolean anyway) {
+        Grid grid = new Grid(boxes);
+        grid.lay();
+        return grid.sort(anyway) ? grid : null;
+    }
+
+    @Override
+    public Walk walk(Finder finder) {
+        return new GridWalk(this, finder);
+    }
+
+    private void lay() {
+        Arrays.fill(half, boxes.extent * LEAST_THICKNESS);
+        for (int i = 0; i < boxes.sides.length; i++) {
+            int axis = i % 3;
+            half[axis] = Math.max(half[axis], Math.abs(boxes.sides[i]));
+        }
+        double volume = 8 * half[0] * half[1] * half[2];
+        double wanted = Math.cbrt(volume / (CELLS_AN_OBJECT * boxes.count()));
+        for (int axis = 0; axis < 3; axis++) {
+            cells[axis] = (int) Math.max(1, Math.min(MOST_CELLS_A_SIDE, Math.rint(2 * half[axis] / wanted)));
+            size[axis] = 2 * half[axis] / cells[axis];
+        }
+    }
+
+    /** Makes the lists. */
+    void fill(Object[] all) {
+        int n = boxes.count();
+        starts = new int[count() + 1];
+        for (int i = 0; i < n; i++) {
+            visit(i, all[boxes.ids[i]] instanceof Sphere);
+        }
+        int sum = 0;
+        for (int cell = 0; cell < starts.length; cell++) {
+            sum += starts[cell];
+            starts[cell] = sum;
+        }
+        places = new int[sum];
+        for (int i = n - 1; i >= 0; i--) {
+            visit(i, all[boxes.ids[i]] instanceof Sphere);
+        }
+    }
+
+    private int count() {
+        return cells[0] * cells[1] * cells[2];
+    }
+
+    /** Brings the boxes into the order of the cells in which their middles are; or does not, and returns false, if a grid is of no use. */
+    private boolean sort(boolean anyway) {
+        int n = boxes.count();
+        int[] cell = new int[n];
+        int[] ends = new int[count() + 1];
+        long listed = 0;
+        for (int i = 0; i < n; i++) {
+            long covered = 1;
+            for (int axis = 2; axis >= 0; axis--) {
+                int at = Boxes.SIDES * i + axis;
+                cell[i] = cell[i] * cells[axis] + cell(axis, (boxes.sides[at] + boxes.sides[at + 3]) / 2);
+                covered *= cell(axis, boxes.sides[at + 3]) - cell(axis, boxes.sides[at]) + 1;
+            }
+            ends[cell[i] + 1]++;
+            listed += covered;
+        }
+        double crowd = 0;
+        for (int i = 1; i < ends.length; i++) {
+            crowd += (double) ends[i] * ends[i];
+            ends[i] += ends[i - 1];
+        }
+        if (!anyway && (listed > LISTED_AN_OBJECT * n + LISTED_ANYWAY || crowd > MOST_IN_CELL * n)) {
+            return false;
+        }
+        int[] order = new int[n];
+        for (int i = 0; i < n; i++) {
+            order[ends[cell[i]]++] = i;
+        }
+        boxes.reorder(order);
+        return true;
+    }
+
+    /** {@return in which column, row or layer something is} */
+    int cell(int axis, double along) {
+        return Math.max(0, Math.min(cells[axis] - 1, (int) ((along + half[axis]) / size[axis])));
+    }
+
+    /** Counts an object in the cells that it may touch; or lists it there, from the end of each list, once there are lists. */
+    private void visit(int i, boolean sphere) {
+        float[] s = boxes.sides;
+        int at = Boxes.SIDES * i;
+        for (int axis = 0; axis < 3; axis++) {
+            from[axis] = cell(axis, s[at + axis]);
+            to[axis] = cell(axis, s[at + axis + 3]);
+        }
+        double radius = (s[at + 3] - s[at]) * 0.5;
+        boolean precise = sphere && (from[0] != to[0] ? 1 : 0) + (from[1] != to[1] ? 1 : 0) + (from[2] != to[2] ? 1 : 0) > 1;
+        for (int z = from[2]; z <= to[2]; z++) {
+            double zz = precise ? square(2, z, (s[at + 2] + s[at + 5]) * 0.5) : 0;
+            for (int y = from[1]; y <= to[1]; y++) {
+                double yy = precise ? zz + square(1, y, (s[at + 1] + s[at + 4]) * 0.5) : 0;
+                int row = (z * cells[1] + y) * cells[0];
+                for (int x = from[0]; x <= to[0]; x++) {
+                    if (precise && yy + square(0, x, (s[at] + s[at + 3]) * 0.5) > radius * radius) {
+                        continue;
+                    }
+                    if (places == null) {
+                        starts[row + x]++;
+                    } else {
+                        places[--starts[row + x]] = i;
+                    }
+                }
+            }
+        }
+    }
+
+    /** {@return the square of the distance of a place on an axis from a cell} */
+    private double square(int axis, int cell, double along) {
+        double low = cell * size[axis] - half[axis];
+        double outside = Math.max(0, Math.max(low - along, along - low - size[axis]));
+        return outside * outside;
+    }
+}

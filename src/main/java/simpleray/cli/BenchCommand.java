@@ -1,0 +1,166 @@
+package simpleray.cli;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.TreeSet;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParentCommand;
+import simpleray.accel.Tally;
+import simpleray.render.RenderListener;
+import simpleray.render.RenderSettings;
+import simpleray.render.Renderer;
+import simpleray.render.Stage;
+import simpleray.scene.Scene;
+import simpleray.scene.SceneFile;
+import simpleray.scene.SimpleCamera;
+
+/** Measures how fast the renderer is on this machine. */
+@Command(mixinStandardHelpOptions = true,
+    description = "Measures how fast the renderer is on this machine: rays a second by kind, how the time grows with the number of "
+        + "spheres and shrinks with that of threads, and how many pictures a second a window could show. Takes some minutes; "
+        + "for fair figures let nothing else run.")
+final class BenchCommand implements Callable<Integer> {
+    private static final String THESIS = "/simpleray/thesis.scene";
+    private static final int[] SIZES = {100, 1000, 10_000, 100_000, 1_000_000};
+    private static final int KINDS_SIZE = 10_000;
+    private static final int SIDE = 400;
+    private static final int QUICK_SIDE = 40;
+    private static final int DEPTH = 5;
+    private static final int RUNS = 5;
+
+    @ParentCommand
+    private Main main;
+
+    @Option(names = "--quick", description = "Few spheres and small pictures: some seconds, and no figures to quote.")
+    private boolean quick;
+
+    private final int all = Runtime.getRuntime().availableProcessors();
+
+    /** What one rendering took, without the time to make the scene ready; and what it did. */
+    private record Run(double ready, double seconds, Tally tally) {
+    }
+
+    @Override
+    public Integer call() throws Failure {
+        say("SimpleRay on Java %s, %d processors; pictures of %d x %d, medians of %d", System.getProperty("java.version"), all,
+            side(), side(), runs());
+        kinds();
+        growth();
+        threads();
+        interactive();
+        return ExitCode.DONE;
+    }
+
+    /** A kind of rays costs what a rendering with them takes more than the same one without. */
+    private void kinds() throws Failure {
+        Scene scene = ManySpheres.scene(quick ? SIZES[0] : KINDS_SIZE, false);
+        Run primary = median(scene, Stage.ORIGINAL, DEPTH, 1);
+        Run lit = median(scene, Stage.LIGHTING, 0, 1);
+        Run shadowed = median(scene, Stage.FINAL, 0, 1);
+        Run mirrored = median(scene, Stage.FINAL, DEPTH, 1);
+        Scene glass = ManySpheres.scene(quick ? SIZES[0] : KINDS_SIZE, true);
+        Run clear = median(glass, Stage.FINAL, 0, 1);
+        Run bent = median(glass, Stage.FINAL, DEPTH, 1);
+        say("%nrays of one thread, %d spheres        rays   million a second", quick ? SIZES[0] : KINDS_SIZE);
+        rate("primary", primary.tally.primary, primary.seconds);
+        rate("shadow", shadowed.tally.shadow, shadowed.seconds - lit.seconds);
+        rate("reflected, with the shadow rays of what they hit", mirrored.tally.rays() - shadowed.tally.rays(),
+            mirrored.seconds - shadowed.seconds);
+        rate("refracted and reflected in glass, likewise", bent.tally.rays() - clear.tally.rays(), bent.seconds - clear.seconds);
+        rate("all of a finished picture", mirrored.tally.rays(), mirrored.seconds);
+    }
+
+    private void rate(String kind, long rays, double seconds) throws Failure {
+        say("%-50s %9d   %s", kind, rays, seconds > 0 ? String.format(Locale.ROOT, "%.2f", rays / seconds / 1e6) : "too fast to measure");
+    }
+
+    private void growth() throws Failure {
+        say("%n  spheres   make ready, s   render, s   rays   ns a ray   tests a ray");
+        List<double[]> points = new ArrayList<>();
+        for (int n : quick ? Arrays.copyOf(SIZES, 2) : SIZES) {
+            Run run = median(ManySpheres.scene(n, false), Stage.FINAL, DEPTH, all);
+            long rays = run.tally.rays();
+            say("%9d   %13.3f   %9.3f   %d   %.0f   %.1f", n, run.ready, run.seconds, rays, run.seconds / rays * 1e9,
+                (double) run.tally.tests / rays);
+            points.add(new double[] {Math.log(n), Math.log(run.seconds)});
+        }
+        say("the time to render grows as the number of spheres to the power of %.3f", slope(points));
+    }
+
+    /** {@return the slope of the straight line that fits best, by least squares} */
+    private static double slope(List<double[]> points) {
+        double x = points.stream().mapToDouble(p -> p[0]).average().orElseThrow();
+        double y = points.stream().mapToDouble(p -> p[1]).average().orElseThrow();
+        return points.stream().mapToDouble(p -> (p[0] - x) * (p[1] - y)).sum()
+            / points.stream().mapToDouble(p -> (p[0] - x) * (p[0] - x)).sum();
+    }
+
+    private void threads() throws Failure {
+        say("%nthreads   render, s   efficiency");
+        Scene scene = ManySpheres.scene(quick ? SIZES[0] : KINDS_SIZE, false);
+        TreeSet<Integer> numbers = new TreeSet<>(List.of(1, all));
+        for (int n = 2; n < all; n *= 2) {
+            numbers.add(n);
+        }
+        double one = 0;
+        for (int n : numbers) {
+            double seconds = median(scene, Stage.FINAL, DEPTH, n).seconds;
+            one = n == 1 ? seconds : one;
+            say("%7d   %9.3f   %10.2f", n, seconds, one / n / seconds);
+        }
+    }
+
+    private void interactive() throws Failure {
+        Scene thesis;
+        try {
+            thesis = SceneFile.read(BenchCommand.class.getResourceAsStream(THESIS)).scene();
+        } catch (IOException e) {
+            throw new Failure(ExitCode.INTERNAL, "simpleray: the thesis's scene in the jar cannot be read: " + e.getMessage());
+        }
+        int pictures = quick ? 2 : 200;
+        run(thesis, Stage.FINAL, RenderSettings.DEFAULT_DEPTH, all);
+        for (int round = 0; round < 2; round++) {             // the first one warms up
+            long start = System.nanoTime();
+            for (int i = 0; i < pictures; i++) {
+                run(thesis, Stage.FINAL, RenderSettings.DEFAULT_DEPTH, all);
+            }
+            if (round > 0) {
+                say("%nthe thesis's scene, final stage, %d threads, warm: %.0f pictures a second", all,
+                    pictures * 1e9 / (System.nanoTime() - start));
+            }
+        }
+    }
+
+    private int side() {
+        return quick ? QUICK_SIDE : SIDE;
+    }
+
+    private int runs() {
+        return quick ? 1 : RUNS;
+    }
+
+    private Run median(Scene scene, Stage stage, int depth, int threads) {
+        List<Run> runs = new ArrayList<>();
+        run(scene, stage, depth, threads);
+        for (int i = 0; i < runs(); i++) {
+            runs.add(run(scene, stage, depth, threads));
+        }
+        runs.sort((a, b) -> Double.compare(a.seconds, b.seconds));
+        return runs.get(runs.size() / 2);
+    }
+
+    private Run run(Scene scene, Stage stage, int depth, int threads) {
+        Renderer renderer = new Renderer(scene, new SimpleCamera(side(), side()), new RenderSettings(stage, depth, 1, threads));
+        renderer.render(RenderListener.NONE);
+        return new Run(renderer.work().readySeconds(), renderer.work().renderSeconds(), renderer.work().tally());
+    }
+
+    private void say(String format, java.lang.Object... values) throws Failure {
+        TextOutput.say(main, String.format(Locale.ROOT, format, values) + '\n');
+    }
+}

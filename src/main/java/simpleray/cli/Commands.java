@@ -1,0 +1,124 @@
+package simpleray.cli;
+
+import java.io.OutputStream;
+import java.io.PrintWriter;
+import java.nio.charset.Charset;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.function.Function;
+import picocli.AutoComplete.GenerateCompletion;
+import picocli.CommandLine;
+import picocli.CommandLine.HelpCommand;
+import picocli.CommandLine.TypeConversionException;
+import simpleray.math.Colour;
+import simpleray.render.Accel;
+import simpleray.render.Region;
+import simpleray.render.Stage;
+import simpleray.scene.PerspectiveCamera.Pose;
+import simpleray.scene.PovChannel;
+import simpleray.scene.SceneSettings.Resolution;
+import simpleray.scene.SceneSettings.Window;
+import simpleray.ui.Look;
+
+/** All commands, and how picocli is to read their options. */
+final class Commands {
+    private static final String COMPLETION = "generate-completion";
+    private static final String HELP = "help";
+    /** What looks at all commands. */
+    private static final Set<String> ABOUT_ALL = Set.of("-h", "--help", "-V", "--version", COMPLETION, HELP);
+    /** The commands that stand alone, in the order of the help. */
+    private static final Map<String, Class<?>> ALONE = alone();
+
+    private final Main main;
+
+    Commands(Main main) {
+        this.main = main;
+    }
+
+    private static Map<String, Class<?>> alone() {
+        Map<String, Class<?>> alone = new LinkedHashMap<>();
+        alone.put("view", ViewCommand.class);
+        alone.put("render", RenderCommand.class);
+        alone.put("figures", FiguresCommand.class);
+        alone.put("explain", ExplainCommand.class);
+        alone.put("print", PrintCommand.class);
+        alone.put("check", CheckCommand.class);
+        alone.put("convert", ConvertCommand.class);
+        alone.put("export", ExportCommand.class);
+        alone.put("verify", VerifyCommand.class);
+        alone.put("compare", CompareCommand.class);
+        alone.put("bench", BenchCommand.class);
+        return alone;
+    }
+
+    private static PrintWriter writer(OutputStream out) {
+        return new PrintWriter(out, true, Charset.defaultCharset());
+    }
+
+    /** Does what a command line wants. {@return the exit code} */
+    int execute(String[] args) {
+        String[] all = withCommand(args);
+        PrintWriter results = writer(main.out());             // for help, version and completion; it notes errors and throws none
+        int exitCode = line(all[0]).setOut(results).setErr(writer(main.err())).execute(all);
+        if (results.checkError() && exitCode == ExitCode.DONE) {
+            main.err().println("simpleray: standard output cannot be written");
+            return ExitCode.WRITE_ERROR;
+        }
+        return exitCode;
+    }
+
+    /** Puts {@code view} before a command line that begins with no command of ours. */
+    private static String[] withCommand(String[] args) {
+        if (args.length > 0 && (ABOUT_ALL.contains(args[0]) || ALONE.containsKey(args[0]))) {
+            return args;
+        }
+        List<String> all = new ArrayList<>(Arrays.asList(args));
+        all.add(0, "view");
+        return all.toArray(new String[0]);
+    }
+
+    /** {@return what reads a command line that begins with this word} */
+    CommandLine line(String first) {
+        CommandLine line = new CommandLine(main);
+        if (ALONE.containsKey(first)) {
+            line.addSubcommand(first, ALONE.get(first));      // without the others, because each takes its time
+        } else {
+            ALONE.forEach(line::addSubcommand);
+            line.addSubcommand(COMPLETION, GenerateCompletion.class).addSubcommand(HELP, HelpCommand.class);
+            line.getSubcommands().get(COMPLETION).getCommandSpec().usageMessage().description("Prints a script that completes "
+                + "simpleray's commands and options in bash and zsh: source <(simpleray generate-completion)");
+        }
+        line.setExpandAtFiles(false);                         // a file name may begin with @
+        convert(line, Stage.class, word -> Values.constant(Stage.values(), word));
+        convert(line, PovChannel.class, word -> Values.constant(PovChannel.values(), word));
+        convert(line, ProgressPrinter.Style.class, word -> Values.constant(ProgressPrinter.Style.values(), word));
+        convert(line, Accel.class, word -> Values.constant(Accel.values(), word));
+        convert(line, Stats.Format.class, word -> Values.constant(Stats.Format.values(), word));
+        convert(line, ExplainCommand.Format.class, word -> Values.constant(ExplainCommand.Format.values(), word));
+        convert(line, ExplainCommand.Pixel.class, Values::pixel);
+        convert(line, Look.class, word -> Values.constant(Look.values(), word));
+        convert(line, Resolution.class, Values::size);
+        convert(line, Double.class, Values::number);
+        convert(line, Window.class, Values::window);
+        convert(line, Pose.class, Values::camera);
+        convert(line, Colour.class, Values::colour);
+        convert(line, Region.class, Values::region);
+        line.setParameterExceptionHandler((e, args) -> main.usage(e.getCommandLine().getCommandSpec().qualifiedName(), e.getMessage()));
+        line.setExecutionExceptionHandler((e, command, result) -> main.report(e, command.getCommandSpec().qualifiedName()));
+        return line;
+    }
+
+    private static <T> void convert(CommandLine line, Class<T> type, Function<String, T> reader) {
+        line.registerConverter(type, value -> {
+            try {
+                return reader.apply(value);
+            } catch (IllegalArgumentException e) {
+                throw new TypeConversionException(e.getMessage());
+            }
+        });
+    }
+}

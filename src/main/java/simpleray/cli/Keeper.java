@@ -1,0 +1,324 @@
+package simpleray.cli;
+
+import java.io.Closeable;
+import java.io.IOException;
+import java.io.PrintStream;
+import java.lang.ref.SoftReference;
+import java.nio.file.FileSystemException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Supplier;
+import simpleray.image.Checkpoint;
+import simpleray.image.Picture;
+import simpleray.image.RowSink;
+import simpleray.render.PictureIdentity;
+import simpleray.render.Progress;
+import simpleray.render.Renderer;
+import simpleray.text.FileInUseException;
+
+/**
+ * Keeps the finished rows of a rendering in a {@link Checkpoint}, so that it can go on if it is ended. Until the time comes to begin
+ * a checkpoint, rows are kept in memory, and no class is loaded that only a checkpoint needs. Any thread may call.
+ */
+final class Keeper implements RowSink, Closeable {
+    /** After so many milliseconds a checkpoint is begun, if none was asked for. */
+    static final long LATE = 10_000;
+    /** How long the end of the program waits for the rendering to end, in milliseconds. */
+    private static final long PATIENCE = 1_200;
+    private static final long SHORT_PATIENCE = 400;
+    /** Rows of so many bytes are kept in memory at most; those above are rendered again if need be. */
+    private static final long MOST_EARLY = 32L << 20;
+
+    private final Path path;                                  // null if there is nowhere to keep rows
+    private final Renderer renderer;
+    private final Supplier<Map<String, String>> identity;
+    private final Notes notes;
+    private final long start = System.nanoTime();
+    private long late;
+    private final Thread hook = new Thread(this::interrupted, "simpleray-interrupted");
+    private final CountDownLatch closed = new CountDownLatch(1);
+    private Thread timer;
+    private List<Early> early;                                // null if rows are not kept in memory
+    private long earlyBytes;
+    private Checkpoint checkpoint;                            // null before it is begun, and once it is ended
+    private int rows;                                         // in the checkpoint when it was ended
+    private int known;
+    private boolean done;
+
+    /** A row that waits for a checkpoint to be begun; gone if memory gets scarce. */
+    private record Early(int y, SoftReference<byte[]> levels) {
+    }
+
+    /**
+     * Where messages go.
+     *
+     * @param err standard error
+     * @param quiet whether only errors are said
+     * @param args the command line
+     */
+    record Notes(PrintStream err, boolean quiet, String[] args) {
+        void say(String text) {
+            if (!quiet) {
+                err.println("simpleray: " + text);
+            }
+        }
+
+        /** {@return the command that goes on} */
+        String command() {
+            StringBuilder command = new StringBuilder("simpleray");
+            List<String> words = new ArrayList<>(Arrays.asList(args));
+            words.removeIf("--restart"::equals);
+            if (!words.contains("--resume")) {
+                words.add("--resume");
+            }
+            for (String word : words) {
+                command.append(' ').append(word.matches("[\\w@%+=:,./-]+") ? word : "'" + word.replace("'", "'\\''") + "'");
+            }
+            return command.toString();
+        }
+    }
+
+    /**
+     * Prepares to keep rows.
+     *
+     * @param path where to; null for nowhere
+     * @param renderer the rendering, not begun yet
+     * @param identity finds what decides the picture's pixels; asked only if need be
+     * @param notes where messages go
+     */
+    Keeper(Path path, Renderer renderer, Supplier<Map<String, String>> identity, Notes notes) {
+        this.path = path;
+        this.renderer = renderer;
+        this.identity = identity;
+        this.notes = notes;
+    }
+
+    /**
+     * Begins: with the rows that are kept if that is asked for, and at once or later.
+     *
+     * @param options what is asked for
+     * @param late after how many milliseconds a checkpoint is begun that was not asked for
+     * @throws Failure if the checkpoint is of another picture, or cannot be used
+     */
+    void begin(KeepOptions options, long late) throws Failure {
+        this.late = late;
+        if (path != null) {
+            try {
+                begin(options);
+            } catch (FileInUseException e) {
+                throw new Failure(ExitCode.BUSY, "simpleray: " + path + ": " + e.getReason());
+            } catch (FileSystemException e) {
+                throw new Failure(ExitCode.NO_OUTPUT, "simpleray: " + path + ": " + reason(e));
+            } catch (IOException e) {
+                throw new Failure(ExitCode.NO_OUTPUT, "simpleray: " + path + ": the checkpoint cannot be used: " + e.getMessage());
+            }
+        }
+        Runtime.getRuntime().addShutdownHook(hook);
+    }
+
+    private void begin(KeepOptions options) throws IOException, Failure {
+        boolean there = Files.exists(path);
+        if (!there && options.resumes()) {
+            notes.say(path + " is not there: beginning with the first row");
+        }
+        if (there && !isFree(options)) {
+            return;
+        }
+        if (options.isNamed()) {
+            checkpoint = create(identity.get());
+        } else {
+            early = new ArrayList<>();
+            timer = new Thread(this::beginLate, "simpleray-checkpoint");
+            timer.setDaemon(true);
+            timer.start();
+        }
+    }
+
+    private static String reason(FileSystemException e) {
+        return e.getReason() != null ? e.getReason() : e.getClass().getSimpleName().replace("Exception", "");
+    }
+
+    /** Looks at a file that is there, and goes on with it if that is asked for. {@return whether a new one may take its place} */
+    private boolean isFree(KeepOptions options) throws IOException, Failure {
+        Map<String, String> was;
+        try {
+            was = Checkpoint.identity(path);
+        } catch (FileSystemException e) {
+            if (!options.isNamed() && !options.resumes() && !options.restarts()) {
+                return false;                                 // somebody's file that has the name by chance
+            }
+            if (options.resumes()) {
+                throw new Failure(ExitCode.BAD_SCENE, "simpleray: " + path + ": " + reason(e));
+            }
+            throw e;
+        }
+        if (was == null || options.restarts()) {
+            if (was == null && options.resumes()) {
+                notes.say(path + " holds no row: beginning with the first");
+            }
+            Checkpoint.delete(path);
+            return true;
+        }
+        if (options.resumes()) {
+            resume(was);
+        } else if (options.isNamed()) {
+            throw new Failure(ExitCode.NO_OUTPUT, "simpleray: " + path
+                + " holds rows of an earlier rendering: --resume goes on with them, --restart discards them");
+        } else {
+            notes.say(path + " holds rows of an earlier rendering, which --resume goes on with and --restart discards; "
+                + "this one begins with the first row, and keeps none");
+        }
+        return false;
+    }
+
+    private void resume(Map<String, String> was) throws IOException, Failure {
+        String difference = PictureIdentity.difference(was, identity.get());
+        if (!difference.isEmpty()) {
+            throw new Failure(ExitCode.BAD_SCENE, "simpleray: " + path + " holds rows of another picture: " + difference
+                + " (--restart discards them)");
+        }
+        Picture picture = renderer.picture();
+        Checkpoint opened = Checkpoint.open(path, was, picture.width(), picture.height());
+        known = opened.count();
+        notes.say("going on with " + known + " of " + picture.height() + " rows, kept in " + path);
+        renderer.know(y -> light(opened, y));
+        checkpoint = opened;
+    }
+
+    private static double[] light(Checkpoint checkpoint, int y) {
+        try {
+            byte[] levels = checkpoint.levels(y);
+            return levels == null ? null : Picture.light(levels);
+        } catch (IOException e) {
+            return null;                                      // then it is rendered
+        }
+    }
+
+    private Checkpoint create(Map<String, String> picture) throws IOException {
+        return Checkpoint.create(path, picture, renderer.picture().width(), renderer.picture().height());
+    }
+
+    /** {@return how many rows are known from before} */
+    int known() {
+        return known;
+    }
+
+    private void beginLate() {
+        try {
+            Thread.sleep(late);
+        } catch (InterruptedException e) {                    // the rendering has ended
+            return;
+        }
+        Map<String, String> picture = identity.get();         // takes its time, while others go on
+        synchronized (this) {
+            if (early == null) {                              // the rendering has ended meanwhile
+                return;
+            }
+            try {
+                checkpoint = create(picture);
+                for (Early row : early) {
+                    byte[] levels = row.levels.get();
+                    if (levels != null) {
+                        checkpoint.put(row.y, levels, 0);
+                    }
+                }
+                early = null;
+            } catch (IOException e) {
+                giveUp(e);
+            }
+        }
+    }
+
+    @Override
+    public synchronized void row(int y, byte[] levels, int from) {
+        int length = 3 * renderer.picture().width();
+        if (checkpoint != null) {
+            try {
+                checkpoint.put(y, levels, from);
+            } catch (IOException e) {
+                giveUp(e);
+            }
+        } else if (early != null && earlyBytes + length <= MOST_EARLY) {
+            earlyBytes += length;
+            early.add(new Early(y, new SoftReference<>(Arrays.copyOfRange(levels, from, from + length))));
+        }
+    }
+
+    /** The picture is worth more than what would be needed to go on with it: the rendering does not end for this. */
+    private void giveUp(IOException e) {
+        notes.say(path + ": rows are not kept any more: " + (e instanceof FileSystemException f ? reason(f) : e.getMessage()));
+        end();
+    }
+
+    /** Notes that the picture is whole: what was kept of it is not needed any more. */
+    synchronized void finished() {
+        done = true;
+        end();
+    }
+
+    /** Ends the writing; what was written stays if it can be of use. */
+    private synchronized void end() {
+        early = null;
+        if (checkpoint == null) {
+            return;
+        }
+        rows = checkpoint.count();
+        try {
+            if (done || rows == 0) {
+                checkpoint.remove();
+            } else {
+                checkpoint.close();
+            }
+        } catch (IOException e) {
+            notes.say(path + (done ? ": cannot be removed: " : ": ") + (e instanceof FileSystemException f ? reason(f) : e.getMessage()));
+        }
+        checkpoint = null;
+    }
+
+    /** Ends the keeping, when all that the rendering has begun is removed or moved to its place. */
+    @Override
+    public void close() {
+        boolean stopped = false;
+        try {
+            Runtime.getRuntime().removeShutdownHook(hook);
+        } catch (IllegalStateException e) {                   // the program is told to stop, and the hook runs
+            stopped = true;
+        }
+        if (!stopped) {
+            end();
+            if (timer != null) {
+                timer.interrupt();
+            }
+        }
+        closed.countDown();
+    }
+
+    /** Ends the rendering because the program is told to stop, and says what is kept. */
+    private void interrupted() {
+        renderer.cancel();
+        try {
+            closed.await(PATIENCE, TimeUnit.MILLISECONDS);
+            if (timer != null && Progress.seconds(start, System.nanoTime()) * 1000 > late) {
+                timer.join(SHORT_PATIENCE);                   // it may be about to write the rows
+            }
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+        synchronized (this) {
+            end();
+            if (!done) {
+                notes.err.println("simpleray: interrupted" + (rows == 0
+                    ? " after " + Progress.time(Progress.seconds(start, System.nanoTime()))
+                        + ", and nothing is kept: --checkpoint FILE keeps rows from the start"
+                    : ": " + rows + " of " + renderer.picture().height() + " rows are kept in " + path + "; to go on: "
+                        + notes.command()));
+            }
+        }
+    }
+}

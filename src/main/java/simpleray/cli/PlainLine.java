@@ -1,0 +1,66 @@
+package simpleray.cli;
+
+import java.util.HashSet;
+import java.util.Set;
+
+/**
+ * The command line of render or view, if it is nothing but known options, each followed by its value, and a scene. It is read here, because
+ * picocli alone takes longer to start than a small picture takes to render. All else is left to picocli: help, mistakes, other commands.
+ */
+final class PlainLine {
+    private static final Set<String> STANDS_ALONE = Set.of(PlainCommand.SCENE, "--quiet", "--resume", "--restart", OutsideOption.NAME);
+
+    private PlainLine() {
+    }
+
+    /** {@return the command as that line wants it; null if picocli is to read the line} */
+    static PlainCommand read(Main main, String[] args) {
+        PlainCommand command = command(main, args);
+        return command != null && takesAll(command, args) ? command : null;
+    }
+
+    private static PlainCommand command(Main main, String[] args) {
+        String first = args.length == 0 ? "view" : args[0];
+        return first.equals("render") ? new RenderCommand(main) : first.equals("view") || isFile(first) ? new ViewCommand(main) : null;
+    }
+
+    /** {@return whether a word is a file's name, and surely no command} */
+    private static boolean isFile(String word) {
+        return isNoOption(word) && word.indexOf('.') >= 0;
+    }
+
+    private static boolean takesAll(PlainCommand command, String[] args) {
+        Set<String> taken = new HashSet<>();
+        for (int i = args.length > 0 && args[0].equals(command.name()) ? 1 : 0; i < args.length; i++) {
+            String name = isNoOption(args[i]) ? PlainCommand.SCENE : longName(args[i]);
+            if (!STANDS_ALONE.contains(name) && (++i == args.length || !isValue(args[i]))) {
+                return false;
+            }
+            if (!taken.add(name) || !isTaken(command, name, args[i])) {
+                return false;
+            }
+        }
+        return command.isComplete();
+    }
+
+    private static boolean isTaken(PlainCommand command, String name, String value) {
+        try {
+            return command.take(name, value);
+        } catch (IllegalArgumentException e) {
+            return false;                                     // picocli says what is wrong with it
+        }
+    }
+
+    private static boolean isNoOption(String word) {
+        return word.equals(SceneArgument.STREAM) || !word.isEmpty() && word.charAt(0) != '-';
+    }
+
+    /** {@return whether a word behind an option is its value: a number may be negative} */
+    private static boolean isValue(String word) {
+        return isNoOption(word) || word.length() > 1 && Character.isDigit(word.charAt(1));
+    }
+
+    private static String longName(String option) {
+        return option.equals("-o") ? "--output" : option.equals("-q") ? "--quiet" : option;
+    }
+}

@@ -1,0 +1,95 @@
+package simpleray.cli;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.stream.Collectors;
+import simpleray.accel.Tally;
+import simpleray.render.Work;
+
+/** What {@code render --stats} says of a rendering. <em>Constant.</em> */
+final class Stats {
+    /** How it is written. */
+    enum Format {
+        /** A line for each figure. */
+        TEXT,
+        /** One JSON object. */
+        JSON;
+
+        @Override
+        public String toString() {
+            return name().toLowerCase(Locale.ROOT);
+        }
+    }
+
+    private final Map<String, Number> rays = new LinkedHashMap<>();
+    private final Map<String, Number> seconds = new LinkedHashMap<>();
+    private long[] depths = {};
+
+    /**
+     * Collects what is to be said.
+     *
+     * @param readSeconds the time to read the scene
+     * @param work what the rendering did
+     */
+    Stats(double readSeconds, Work work) {
+        Tally tally = work.tally();
+        if (tally != null) {
+            rays.put("primary", tally.primary);
+            rays.put("reflected", tally.reflected);
+            rays.put("refracted", tally.refracted);
+            rays.put("shadow", tally.shadow);
+            rays.put("testsPerRay", tally.rays() == 0 ? 0 : rounded((double) tally.tests / tally.rays()));
+            rays.put("stepsPerRay", tally.rays() == 0 ? 0 : rounded((double) tally.steps / tally.rays()));
+            depths = tally.depths.clone();
+        }
+        seconds.put("read", rounded(readSeconds));
+        seconds.put("prepare", rounded(work.readySeconds()));
+        seconds.put("renderAndWrite", rounded(work.renderSeconds()));
+    }
+
+    private static double rounded(double d) {
+        return Math.rint(d * 1000) / 1000;
+    }
+
+    /** {@return the text, with its line ends} */
+    String text(Format format) {
+        return format == Format.JSON ? json() : lines();
+    }
+
+    private String json() {
+        return "{\"rays\":" + (rays.isEmpty() ? "null" : object(rays)) + ",\"raysByDepth\":"
+            + (rays.isEmpty() ? "null" : Arrays.stream(depths).mapToObj(Long::toString).collect(Collectors.joining(",", "[", "]")))
+            + ",\"seconds\":" + object(seconds) + "}\n";
+    }
+
+    private static String object(Map<String, Number> map) {
+        return map.entrySet().stream().map(e -> '"' + e.getKey() + "\":" + e.getValue()).collect(Collectors.joining(",", "{", "}"));
+    }
+
+    private String lines() {
+        List<String> lines = new ArrayList<>();
+        if (rays.isEmpty()) {
+            lines.add("rays are not counted with --accel none");
+        }
+        rays.forEach((name, value) -> lines.add(switch (name) {
+            case "testsPerRay" -> line("objects asked, a ray", value);
+            case "stepsPerRay" -> line("cells or boxes passed, a ray", value);
+            default -> line(name + " rays", value);
+        }));
+        for (int depth = 0; depth < depths.length; depth++) {
+            lines.add(line("rays after " + depth + (depth == 1 ? " reflection" : " reflections"), depths[depth]));
+        }
+        lines.add(line("seconds to read the scene", seconds.get("read")));
+        lines.add(line("seconds to prepare it", seconds.get("prepare")));
+        lines.add(line("seconds to render and write", seconds.get("renderAndWrite")));
+        return lines.stream().collect(Collectors.joining("\n", "", "\n"));
+    }
+
+    private static String line(String what, Number value) {
+        return String.format(Locale.ROOT, "%-32s %12s", what, value);
+    }
+}

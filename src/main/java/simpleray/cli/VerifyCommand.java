@@ -1,0 +1,141 @@
+package simpleray.cli;
+
+import java.io.BufferedInputStream;
+import java.io.FileInputStream;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.ParentCommand;
+import simpleray.image.Picture;
+import simpleray.image.PngRows;
+import simpleray.image.RowsCheck;
+import simpleray.image.RowsCheck.Pixel;
+import simpleray.render.Progress;
+import simpleray.render.Provenance;
+import simpleray.render.RenderRequest;
+import simpleray.render.Renderer;
+import simpleray.scene.PictureScene;
+import simpleray.scene.SceneFile;
+import simpleray.text.PictureFormatException;
+
+/** Renders a picture's scene again and compares. */
+@Command(mixinStandardHelpOptions = true, sortOptions = false,
+    description = "Renders the scene that a picture carries once more, with the options that it carries, and compares pixel for pixel. "
+        + "The exit code is 0 if all are the same, 1 if one differs, and 65 if the picture does not carry what is needed.")
+final class VerifyCommand implements Callable<Integer> {
+    @ParentCommand
+    private Main main;
+
+    @Parameters(paramLabel = "PICTURE.png", description = "A picture that SimpleRay has rendered.")
+    private String picture;
+
+    @Option(names = "--scene", paramLabel = "FILE",
+        description = "The scene file that the picture was made of, if it is too long for the picture to carry, or its meshes lie "
+            + "elsewhere than the picture.")
+    private String scene;
+
+    @Mixin
+    private WorkOptions work;
+
+    @Mixin
+    private OutsideOption outside;
+
+    @Override
+    public Integer call() throws Failure {
+        try {
+            PictureScene told = told();
+            RenderRequest request = Provenance.request(told, work.accel(), work.threads());
+            SceneFile file = SceneArgument.read(scene == null ? picture : scene, main.in(), null, outside.reach());
+            requireSame(told, file);
+            return compare(renderer(request, file), told);
+        } catch (PictureFormatException e) {
+            throw new Failure(ExitCode.BAD_SCENE, "simpleray: " + e.getMessage());
+        } catch (IOException e) {
+            throw new Failure(ExitCode.NO_SCENE, "simpleray: " + picture + ": cannot be read: " + e.getMessage());
+        }
+    }
+
+    private Renderer renderer(RenderRequest request, SceneFile file) throws PictureFormatException {
+        try {
+            return request.renderer(file.scene());
+        } catch (IllegalArgumentException e) {
+            throw new PictureFormatException(picture, "was made with options that do not fit: " + e.getMessage());
+        }
+    }
+
+    private PictureScene told() throws IOException, Failure {
+        Path path = Path.of(picture);
+        if (Files.isDirectory(path) || !Files.exists(path)) {
+            throw new Failure(ExitCode.NO_SCENE, "simpleray: " + picture + (Files.exists(path) ? ": is a folder" : ": no such file"));
+        }
+        return PictureScene.read(path);
+    }
+
+    /** Makes sure that scene and meshes are those of the picture, so that a difference is one of rendering. */
+    private void requireSame(PictureScene told, SceneFile file) throws Failure {
+        if (!file.text().sha256().equals(told.text().sha256())) {
+            throw new Failure(ExitCode.BAD_SCENE, "simpleray: " + scene + ": is not the scene that " + picture
+                + " was made of: its SHA-256 is " + file.text().sha256() + ", and was " + told.text().sha256());
+        }
+        List<String> changed = told.changed(file.text().meshes());
+        if (!changed.isEmpty()) {
+            throw new Failure(ExitCode.BAD_SCENE, "simpleray: " + picture + ": was made of other meshes: " + String.join(", ", changed));
+        }
+    }
+
+    private int compare(Renderer renderer, PictureScene told) throws IOException, Failure {
+        Picture rendered = renderer.picture();
+        Memory.require("a picture of " + rendered.width() + 'x' + rendered.height(),
+            renderer.bytesNeeded() + 3L * rendered.width() * renderer.rowsAhead());
+        try (PngRows rows = new PngRows(new BufferedInputStream(new FileInputStream(picture)), picture)) {
+            if (rows.width() != rendered.width() || rows.height() != rendered.height()) {
+                throw new PictureFormatException(picture, "is " + rows.width() + 'x' + rows.height() + ", and its options say "
+                    + rendered.width() + 'x' + rendered.height());
+            }
+            RowsCheck check = new RowsCheck(rendered, rows);
+            render(renderer, check);
+            return report(check, rendered, told);
+        }
+    }
+
+    private void render(Renderer renderer, RowsCheck check) throws IOException {
+        Picture rendered = renderer.picture();
+        ProgressPrinter printer = work.printer(new Progress(rendered.height(), System.nanoTime()), main.err());
+        try {
+            renderer.render(y -> {
+                try {
+                    check.row(y);
+                } catch (IOException e) {
+                    throw new UncheckedIOException(e);
+                }
+                rendered.release(y);
+                printer.rowFinished(y);
+            });
+        } catch (UncheckedIOException e) {
+            throw e.getCause();
+        } finally {
+            printer.end();
+        }
+    }
+
+    private int report(RowsCheck check, Picture rendered, PictureScene told) throws Failure {
+        Pixel first = check.first();
+        long all = (long) rendered.width() * rendered.height();
+        String other = told.software().equals(Provenance.SOFTWARE) ? "" : " (made by " + told.software() + ", rendered again by "
+            + Provenance.SOFTWARE + ')';
+        if (first == null) {
+            TextOutput.say(main, picture + ": good: all " + all + " pixels are the same" + other + '\n');
+            return ExitCode.DONE;
+        }
+        TextOutput.say(main, picture + ": different: " + check.different() + " of " + all + " pixels, the first in row " + (first.y() + 1)
+            + ", column " + (first.x() + 1) + ": " + first.inFile() + " in the file, " + first.here() + " rendered" + other + '\n');
+        return ExitCode.DIFFERENT;
+    }
+}

@@ -1,0 +1,77 @@
+package simpleray.image;
+
+/** Measures how two pictures of one size differ, row by row. <em>Mutable,</em> for one thread. */
+public final class Comparison {
+    private static final int LEVEL = 255;
+
+    private final Similarity similarity;
+    private final long pixels;
+    private int maximum;
+    private long beyond;
+    private double squares;
+
+    /**
+     * Begins.
+     *
+     * @param width the width of both in pixels
+     * @param height the height of both in pixels
+     */
+    public Comparison(int width, int height) {
+        similarity = new Similarity(width, height);
+        pixels = (long) width * height;
+    }
+
+    /**
+     * Takes the next row of both.
+     *
+     * @param one red, green and blue of each pixel of one
+     * @param other and of the other
+     * @return the largest of its three differences for each pixel
+     */
+    public int[] row(byte[] one, byte[] other) {
+        int[] differences = new int[one.length / 3];
+        for (int x = 0; x < differences.length; x++) {
+            int largest = 0;
+            for (int i = 3 * x; i < 3 * x + 3; i++) {
+                int by = Math.abs((one[i] & LEVEL) - (other[i] & LEVEL));
+                squares += by * by;
+                largest = Math.max(largest, by);
+            }
+            differences[x] = largest;
+            maximum = Math.max(maximum, largest);
+            beyond += largest > 1 ? 1 : 0;
+        }
+        similarity.row(one, other);
+        return differences;
+    }
+
+    /** {@return the largest difference of a level} */
+    public int maximum() {
+        return maximum;
+    }
+
+    /** {@return how many pixels have a level that differs by more than 1} */
+    public long beyondOneLevel() {
+        return beyond;
+    }
+
+    /** {@return how many pixels each has} */
+    public long pixels() {
+        return pixels;
+    }
+
+    /** {@return the root of the mean of the squares of the differences of all levels} */
+    public double rmse() {
+        return Math.sqrt(squares / (3.0 * pixels));
+    }
+
+    /** {@return the ratio of 255 to that in decibels; infinite for equal pictures} */
+    public double psnr() {
+        return 20 * Math.log10(LEVEL / rmse());
+    }
+
+    /** {@return the structural similarity of their luma: 1 for equal pictures} Wang et al., 2004, with the Gaussian window of 11 x 11. */
+    public double ssim() {
+        return similarity.value();
+    }
+}

@@ -1,0 +1,91 @@
+package simpleray.image;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
+import java.util.zip.CRC32;
+import java.util.zip.Deflater;
+import simpleray.text.PngText;
+
+/** A chunk of a PNG file in the making: the length of its data, its name, its data and a checksum. <em>Mutable.</em> */
+final class PngChunk {
+    private static final int HEAD = 8;                        // length and name
+    private static final int SUM = 4;
+    private static final int NO_LANGUAGE = 5;                 // what stands between keyword and text
+
+    private byte[] bytes;
+    private int end = HEAD;
+
+    /**
+     * Begins a chunk.
+     *
+     * @param name its four letters
+     * @param room for so many bytes of data at first, 1 or more
+     */
+    PngChunk(String name, int room) {
+        bytes = Arrays.copyOf(ByteBuffer.allocate(HEAD).putInt(0).put(name.getBytes(StandardCharsets.US_ASCII)).array(), HEAD + room + SUM);
+    }
+
+    void put(int... data) {
+        for (int b : data) {
+            makeRoom();
+            bytes[end++] = (byte) b;
+        }
+    }
+
+    void put(byte[] data) {
+        if (bytes.length - SUM - end < data.length) {
+            bytes = Arrays.copyOf(bytes, Math.addExact(end + SUM, data.length));
+        }
+        System.arraycopy(data, 0, bytes, end, data.length);
+        end += data.length;
+    }
+
+    /** {@return the chunk of a text} */
+    static PngChunk of(PngText text) {
+        byte[] keyword = text.keyword().getBytes(StandardCharsets.US_ASCII);
+        PngChunk chunk = new PngChunk(PngText.CHUNK, keyword.length + NO_LANGUAGE + text.text().length);
+        chunk.put(keyword);
+        chunk.put(0, 0, 0, 0, 0);                             // not packed, in no language, and the keyword in none
+        chunk.put(text.text());
+        return chunk.finished();
+    }
+
+    void putInt(int data) {
+        put(data >>> 24, data >>> 16, data >>> 8, data);
+    }
+
+    /** Takes all that the compressor has to give. */
+    void putAll(Deflater deflater, int flush) {
+        int room;
+        int some;
+        do {
+            makeRoom();
+            room = bytes.length - SUM - end;
+            some = deflater.deflate(bytes, end, room, flush);
+            end += some;
+        } while (some == room);                               // there may be more
+    }
+
+    private void makeRoom() {
+        if (end + SUM >= bytes.length) {
+            bytes = Arrays.copyOf(bytes, 2 * bytes.length);
+        }
+    }
+
+    /** Puts length and checksum in their places; nothing may be put after it. */
+    PngChunk finished() {
+        CRC32 crc = new CRC32();
+        ByteBuffer.wrap(bytes).putInt(end - HEAD);
+        crc.update(bytes, HEAD - SUM, end - (HEAD - SUM));    // of name and data
+        bytes = Arrays.copyOf(bytes, end + SUM);
+        ByteBuffer.wrap(bytes, end, SUM).putInt((int) crc.getValue());
+        return this;
+    }
+
+    void writeTo(OutputStream out) throws IOException {
+        out.write(bytes);
+    }
+}

@@ -1,0 +1,86 @@
+package simpleray.image;
+
+import java.io.IOException;
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.Map;
+
+/**
+ * Compares a picture with that of a file while its rows are finished, in any order and by any threads. Only rows that wait for one above
+ * them are in memory. <em>Mutable</em>; any thread may call.
+ */
+public final class RowsCheck {
+    private final Picture picture;
+    private final PngRows file;
+    private final Map<Integer, byte[]> waiting = new HashMap<>();
+    private int next;
+    private long different;
+    private Pixel first;
+
+    /**
+     * A pixel that differs. <em>Constant.</em>
+     *
+     * @param x its column, 0 at the left
+     * @param y its row, 0 at the top
+     * @param inFile red, green and blue in the file
+     * @param here red, green and blue in the picture
+     */
+    public record Pixel(int x, int y, String inFile, String here) {
+    }
+
+    /**
+     * Begins.
+     *
+     * @param picture the picture, whose rows may still be missing
+     * @param file another of that size
+     */
+    public RowsCheck(Picture picture, PngRows file) {
+        this.picture = picture;
+        this.file = file;
+    }
+
+    /**
+     * Takes a row of the picture, which may let go of it then.
+     *
+     * @param y the row, 0 at the top; each once
+     * @throws IOException if the file cannot be read
+     */
+    public void row(int y) throws IOException {
+        byte[] levels = picture.levels(y);
+        synchronized (this) {
+            waiting.put(y, levels);
+            for (byte[] here = waiting.remove(next); here != null; here = waiting.remove(next)) {
+                compare(file.next(), here);
+                next++;
+            }
+        }
+    }
+
+    private void compare(byte[] inFile, byte[] here) {
+        if (Arrays.equals(inFile, here)) {
+            return;
+        }
+        for (int x = 0; x < here.length / 3; x++) {
+            if (!Arrays.equals(inFile, 3 * x, 3 * x + 3, here, 3 * x, 3 * x + 3)) {
+                different++;
+                if (first == null) {
+                    first = new Pixel(x, next, colour(inFile, x), colour(here, x));
+                }
+            }
+        }
+    }
+
+    private static String colour(byte[] row, int x) {
+        return (row[3 * x] & 0xFF) + "," + (row[3 * x + 1] & 0xFF) + ',' + (row[3 * x + 2] & 0xFF);
+    }
+
+    /** {@return how many pixels differ, of the rows that were taken} */
+    public synchronized long different() {
+        return different;
+    }
+
+    /** {@return the first pixel that differs, row after row; null if none does} */
+    public synchronized Pixel first() {
+        return first;
+    }
+}

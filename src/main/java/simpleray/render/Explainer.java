@@ -1,0 +1,97 @@
+package simpleray.render;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Objects;
+import simpleray.accel.Engine;
+import simpleray.math.Colour;
+import simpleray.math.Ray;
+import simpleray.scene.Camera;
+import simpleray.scene.Probe;
+import simpleray.scene.RayTracer;
+import simpleray.scene.Scene;
+import simpleray.scene.Story;
+import simpleray.scene.Storyteller;
+
+/** Tells about single pixels of a picture. <em>Mutable</em>: one thread's own. The scene and the camera must not change meanwhile. */
+public final class Explainer {
+    private final Scene scene;
+    private final Camera camera;
+    private final RenderSettings settings;
+    private final Probe probe;
+    private final RayTracer rays;
+    private final Sampler sampler;
+
+    /** Creates one. The engine is the scene made ready; if it is null, and is not to be done without, it is made. */
+    Explainer(Scene scene, Camera camera, RenderSettings settings, Engine engine) {
+        this.scene = scene;
+        this.camera = camera;
+        this.settings = settings;
+        Engine ready = engine != null || settings.accel() == Accel.NONE ? engine : new Engine(scene, camera.eye(), settings.threads());
+        probe = ready == null ? Probe.of(scene) : ready.probe(false);
+        rays = Tracer.rays(scene, ready, settings.stage(), false);
+        Tracer tracer = new Tracer(rays, camera, settings);
+        sampler = settings.samples() != RenderSettings.ADAPTIVE ? new GridSampler(tracer, settings.samples())
+            : new AdaptiveSampler(tracer, camera.width(), camera.height(), Region.whole(camera.width(), camera.height()),
+                AdaptiveSampler.rows(1, 1));
+    }
+
+    /** {@return the width of the picture in pixels} */
+    public int width() {
+        return camera.width();
+    }
+
+    /** {@return the height of the picture in pixels} */
+    public int height() {
+        return camera.height();
+    }
+
+    /**
+     * Finds what the ray through a pixel's centre hits.
+     *
+     * @param x the column, 0 at the left
+     * @param y the row, 0 at the top
+     * @return the object; null if nothing is hit
+     */
+    public Story.Thing objectAt(int x, int y) {
+        int place = probe.nearest(camera.through(x + 0.5, y + 0.5), 0, false);
+        return place == Probe.NONE ? null : Storyteller.object(scene, place);
+    }
+
+    /**
+     * Tells why a pixel has its colour.
+     *
+     * @param x the column, 0 at the left
+     * @param y the row, 0 at the top
+     * @return its story, whose colour is that of the picture to the last bit
+     * @throws IndexOutOfBoundsException if there is no such pixel
+     * @throws java.util.concurrent.CancellationException if the calling thread is interrupted
+     */
+    public PixelStory story(int x, int y) {
+        Objects.checkIndex(x, camera.width());
+        Objects.checkIndex(y, camera.height());
+        Storyteller teller = new Storyteller(scene, probe, settings.stage().terms());
+        double[] points = sampler.points(x, y);
+        boolean clamped = settings.samples() != 1;
+        List<PixelStory.Sample> samples = new ArrayList<>();
+        Colour colour = new Colour();
+        for (int i = 0; i < points.length; i += 2) {
+            Ray ray = camera.through(points[i], points[i + 1]);
+            Story story = teller.tell(ray, settings.depth());
+            Colour seen = new Colour(story.colour());
+            if (settings.stage().isView()) {
+                rays.intersect(ray, seen, settings.depth(), settings.stage().terms());
+            }
+            if (clamped) {
+                seen.clamp();
+            }
+            colour.add(seen);
+            samples.add(new PixelStory.Sample(points[i], points[i + 1], clamped, seen, story));
+        }
+        boolean mean = samples.size() > 1;
+        if (mean) {
+            colour.scale(1.0 / samples.size());
+        }
+        return new PixelStory(x, y, camera.width(), camera.height(), settings.stage(), mean, List.copyOf(samples), colour);
+    }
+}

@@ -1,0 +1,146 @@
+package simpleray.render;
+
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Deque;
+import java.util.List;
+import java.util.concurrent.locks.Condition;
+import java.util.concurrent.locks.ReentrantLock;
+
+/**
+ * Hands out a picture in passes: a pixel of each block of 8 × 8 first, then those that are missing of 4 × 4, 2 × 2 and all, so that the
+ * whole is seen early and no pixel is traced twice. One region may come before the rest, or alone. Where pixels are sampled by what
+ * their neighbours are, previews of all come first. <em>Mutable</em>; any thread may call.
+ */
+final class Passes {
+    private static final int COARSEST = 8;
+
+    private final ReentrantLock lock = new ReentrantLock();
+    private final Condition changed = lock.newCondition();
+    private final List<Pass> passes = new ArrayList<>();
+    private final Deque<Part> cut = new ArrayDeque<>();       // the pieces of a row that are to be handed out next
+    private int pass;
+    private int row;                                          // of the pass, 0 for its first
+    private int open;                                         // parts that are handed out and not finished
+    private int coarse;                                       // parts of the first pass that are not finished
+    private boolean stopped;
+
+    /**
+     * A walk over an area.
+     *
+     * @param except what of the area is left out; null for nothing
+     * @param size the side of the blocks
+     * @param after whether all parts before must be finished first
+     */
+    private record Pass(Region area, Region except, int size, boolean rows, boolean preview, boolean after) {
+        /** {@return the pixels of its k-th row, in up to two pieces} */
+        List<Part> parts(int k) {
+            int y = area.y() + k * size;
+            boolean begun = !rows && size < COARSEST && k % 2 == 0;     // of this row the pass before had every second
+            int x = begun ? area.x() + size : area.x();
+            int step = begun ? 2 * size : size;
+            List<Part> parts = new ArrayList<>(2);
+            if (except == null || y < except.y() || y >= except.bottom()) {
+                add(parts, y, x, area.right(), step);
+            } else {
+                add(parts, y, x, Math.min(except.x(), area.right()), step);
+                int behind = Math.max(x, except.right());
+                add(parts, y, behind + Math.floorMod(x - behind, step), area.right(), step);
+            }
+            return parts;
+        }
+
+        private void add(List<Part> parts, int y, int x, int end, int step) {
+            if (x < end) {
+                parts.add(new Part(y, x, end, step, size, preview));
+            }
+        }
+
+        int count() {
+            return (area.height() + size - 1) / size;
+        }
+    }
+
+    /**
+     * Plans the passes.
+     *
+     * @param first what comes first; null for nothing
+     * @param alone whether that is all
+     * @param previews whether the last pass needs previews of each pixel and of its neighbours
+     */
+    Passes(int width, int height, Region first, boolean alone, boolean previews) {
+        Region all = Region.whole(width, height);
+        if (first != null) {
+            plan(first, null, previews ? first.grown(width, height) : null, null);
+        }
+        if (first == null || !alone) {
+            plan(all, first, previews ? all : null, first == null ? null : first.grown(width, height));
+        }
+        for (int k = 0; k < passes.get(0).count(); k++) {
+            coarse += passes.get(0).parts(k).size();
+        }
+    }
+
+    private void plan(Region area, Region except, Region previewed, Region notPreviewed) {
+        for (int size = COARSEST; size >= 1; size /= 2) {
+            passes.add(previewed == null ? new Pass(area, except, size, false, false, false)
+                : new Pass(previewed, notPreviewed, size, false, true, false));
+        }
+        if (previewed != null) {
+            passes.add(new Pass(area, except, 1, true, false, true));
+        }
+    }
+
+    /** {@return what is to be traced next; null if nothing is left} May wait until what it builds on is finished. */
+    Part next() {
+        lock.lock();
+        try {
+            while (!stopped && (!cut.isEmpty() || pass < passes.size())) {
+                if (!cut.isEmpty()) {
+                    open++;
+                    return cut.poll();
+                }
+                Pass current = passes.get(pass);
+                if (row == current.count()) {
+                    pass++;
+                    row = 0;
+                } else if (row == 0 && current.after && open > 0) {
+                    changed.awaitUninterruptibly();
+                } else {
+                    cut.addAll(current.parts(row++));
+                }
+            }
+            return null;
+        } finally {
+            lock.unlock();
+        }
+    }
+
+    /**
+     * Notes that a part is finished, and all that is done with it.
+     *
+     * @return whether it was the last of the first pass
+     */
+    boolean finished(Part part) {
+        lock.lock();
+        try {
+            if (--open == 0) {
+                changed.signalAll();
+            }
+            return part.size() == COARSEST && coarse > 0 && --coarse == 0;
+        } finally {
+            lock.unlock();
+        }
+    }
+
+    /** Hands out nothing more. */
+    void stop() {
+        lock.lock();
+        try {
+            stopped = true;
+            changed.signalAll();
+        } finally {
+            lock.unlock();
+        }
+    }
+}

@@ -1,0 +1,36 @@
+package simpleray.render;
+
+/** A gate for threads at work, which may be shut for a while. <em>Mutable</em>; any thread may call. */
+final class Pause {
+    private volatile boolean on;
+
+    /** {@return whether it is shut} */
+    boolean isOn() {
+        return on;
+    }
+
+    synchronized void set(boolean shut) {
+        on = shut;
+        notifyAll();
+    }
+
+    /** Waits while it is shut; an interrupt is kept for later. */
+    void await() {
+        if (!on) {
+            return;
+        }
+        boolean interrupted = false;
+        synchronized (this) {
+            while (on) {
+                try {
+                    wait();
+                } catch (InterruptedException e) {
+                    interrupted = true;
+                }
+            }
+        }
+        if (interrupted) {
+            Thread.currentThread().interrupt();
+        }
+    }
+}

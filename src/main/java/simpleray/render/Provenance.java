@@ -1,0 +1,123 @@
+package simpleray.render;
+
+import java.io.IOException;
+import java.util.Arrays;
+import java.util.List;
+import simpleray.scene.PictureScene;
+import simpleray.scene.SceneFile;
+import simpleray.scene.SceneSettings;
+import simpleray.scene.SimpleCamera;
+import simpleray.text.PictureFormatException;
+import simpleray.text.PngText;
+import simpleray.text.Problem;
+
+/**
+ * What a picture tells of how it was made: all that decides about its pixels, and nothing else. So two renderings of one scene with the
+ * same options are the same file.
+ */
+public final class Provenance {
+    /** The program's version. */
+    public static final String VERSION = "0.1.0";
+    /** The program and its version. */
+    public static final String SOFTWARE = "SimpleRay " + VERSION;
+
+    private static final String STAGE = "stage ";
+    private static final String SHEET = "sheet ";
+    private static final String ADAPTIVE = "samples adaptive";
+    private static final String REGION = "region ";
+
+    private Provenance() {
+    }
+
+    /**
+     * Puts together what a picture is to tell.
+     *
+     * @param request what was asked for, of which {@link RenderRequest#renderer} has made the picture's renderer
+     * @param file the scene
+     * @return the texts; none if the scene was not read from a text
+     */
+    public static List<PngText> of(RenderRequest request, SceneFile file) {
+        return of(STAGE + request.stage(), request, file);
+    }
+
+    /**
+     * Puts together what a sheet of several pictures is to tell: what they have in common, and what there is on it.
+     *
+     * @param request what was asked for, of which {@link RenderRequest#renderer} has made a renderer
+     * @param file the scene
+     * @param what what there is on it, in one line
+     * @return the texts; none if the scene was not read from a text
+     */
+    public static List<PngText> ofSheet(RenderRequest request, SceneFile file, String what) {
+        return of(SHEET + what, request, file);
+    }
+
+    private static List<PngText> of(String what, RenderRequest request, SceneFile file) {
+        if (file.text() == null) {
+            return List.of();
+        }
+        SceneSettings all = new SceneSettings().under(file.scene().settings);
+        if (all.resolution == null) {
+            all.resolution = new SceneSettings.Resolution(SimpleCamera.DEFAULT_RESOLUTION, SimpleCamera.DEFAULT_RESOLUTION);
+        }
+        all.depth = all.depth == null ? Integer.valueOf(RenderSettings.DEFAULT_DEPTH) : all.depth;
+        all.samples = request.adaptive() ? null : all.samples == null ? Integer.valueOf(1) : all.samples;
+        String options = what + '\n' + (request.adaptive() ? ADAPTIVE + '\n' : "")
+            + (request.region() == null ? "" : REGION + request.region() + '\n') + all.lines();
+        return PictureScene.texts(SOFTWARE, options, file.text());
+    }
+
+    /**
+     * Finds what was asked for when a picture was made.
+     *
+     * @param told what the picture tells
+     * @param accel how the nearest object is found
+     * @param threads how many threads work, 1 or more
+     * @return a request for the same picture
+     * @throws PictureFormatException if that cannot be asked for
+     */
+    public static RenderRequest request(PictureScene told, Accel accel, int threads) throws IOException {
+        Stage stage = null;
+        boolean adaptive = false;
+        Region region = null;
+        for (String line : told.others()) {
+            if (line.startsWith(SHEET)) {
+                int end = line.indexOf(':');
+                throw new PictureFormatException(told.file(), "is a sheet of several pictures, "
+                    + Problem.quoted(line.substring(SHEET.length(), end < 0 ? line.length() : end))
+                    + ": only single pictures can be verified");
+            }
+            if (line.equals(ADAPTIVE)) {
+                adaptive = true;
+            } else if (region == null && line.startsWith(REGION)) {
+                region = region(told, line.substring(REGION.length()));
+            } else {
+                stage = stage == null && line.startsWith(STAGE) ? stage(line.substring(STAGE.length())) : null;
+                if (stage == null) {
+                    throw new PictureFormatException(told.file(), "was made with an option that this version does not know: "
+                        + Problem.quoted(line));
+                }
+            }
+        }
+        if (stage == null) {
+            throw new PictureFormatException(told.file(), "does not tell the stage that it shows");
+        }
+        return new RenderRequest(told.settings(), stage, adaptive, accel, threads, region);
+    }
+
+    private static Region region(PictureScene told, String text) throws PictureFormatException {
+        try {
+            int[] n = Arrays.stream(text.split(",", -1)).mapToInt(Integer::parseInt).toArray();
+            if (n.length == 4) {
+                return new Region(n[0], n[1], n[2], n[3]);
+            }
+        } catch (IllegalArgumentException e) {
+            // as below
+        }
+        throw new PictureFormatException(told.file(), "was made of a region that is none: " + Problem.quoted(text));
+    }
+
+    private static Stage stage(String name) {
+        return Arrays.stream(Stage.values()).filter(stage -> stage.toString().equals(name)).findFirst().orElse(null);
+    }
+}

@@ -1,0 +1,72 @@
+package simpleray.render;
+
+import java.util.BitSet;
+import java.util.concurrent.locks.Condition;
+import java.util.concurrent.locks.ReentrantLock;
+
+/**
+ * Hands out the rows of a picture from the top. No row is begun far below one that is not finished: what waits for that one, to be
+ * written in order, stays little. <em>Mutable</em>; any thread may call.
+ */
+final class Rows {
+    private static final int MOST_AHEAD = 256;
+    private static final int MOST_AHEAD_A_THREAD = 4;
+
+    private final int height;
+    private final int ahead;
+    private final ReentrantLock lock = new ReentrantLock();
+    private final Condition changed = lock.newCondition();
+    private final BitSet finished;
+    private int firstUnfinished;
+    private int next;
+    private boolean stopped;
+
+    Rows(int height, int threads) {
+        this.height = height;
+        ahead = ahead(threads);
+        finished = new BitSet(height);
+    }
+
+    /** {@return how many rows may at most be begun from one that is not finished on} */
+    static int ahead(int threads) {
+        return Math.max(MOST_AHEAD, MOST_AHEAD_A_THREAD * threads);
+    }
+
+    /** {@return a row to be rendered; -1 if there is none left} May wait until rows far above are finished. */
+    int next() {
+        lock.lock();
+        try {
+            while (next < height && next - firstUnfinished >= ahead && !stopped) {
+                changed.awaitUninterruptibly();
+            }
+            return stopped || next == height ? -1 : next++;
+        } finally {
+            lock.unlock();
+        }
+    }
+
+    /** Notes that a row is finished, and all that is done with it. */
+    void finished(int y) {
+        lock.lock();
+        try {
+            finished.set(y);
+            if (y == firstUnfinished) {
+                firstUnfinished = finished.nextClearBit(y);
+                changed.signalAll();
+            }
+        } finally {
+            lock.unlock();
+        }
+    }
+
+    /** Hands out no more rows. */
+    void stop() {
+        lock.lock();
+        try {
+            stopped = true;
+            changed.signalAll();
+        } finally {
+            lock.unlock();
+        }
+    }
+}

@@ -1,0 +1,207 @@
+package simpleray.render;
+
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Collectors;
+import simpleray.image.Picture;
+import simpleray.math.Colour;
+import simpleray.math.Point;
+import simpleray.math.Vector;
+import simpleray.scene.Material;
+import simpleray.scene.Story;
+import simpleray.scene.Story.Hit;
+import simpleray.scene.Story.Lamp;
+import simpleray.scene.Story.Next;
+import simpleray.scene.Story.Thing;
+
+/** A pixel's story as people read it: lines, each below the one it belongs to. Numbers have six digits. */
+public final class StoryText {
+    private static final MathContext DIGITS = new MathContext(6);
+    private static final int LARGE = 9;
+    private static final int SMALL = -6;
+    private static final String INDENT = "  ";
+
+    private final List<Line> lines = new ArrayList<>();
+    private int level;
+
+    /**
+     * A line.
+     *
+     * @param level how deep it is below the first line, which is at 0
+     * @param text what it says
+     */
+    public record Line(int level, String text) {
+        @Override
+        public String toString() {
+            return INDENT.repeat(level) + text;
+        }
+    }
+
+    private StoryText() {
+    }
+
+    /**
+     * Puts a story into words.
+     *
+     * @param pixel the story
+     * @return its lines, the first one at level 0 and all others below it
+     */
+    public static List<Line> lines(PixelStory pixel) {
+        StoryText text = new StoryText();
+        text.tell(pixel);
+        return text.lines;
+    }
+
+    /**
+     * Puts a story into words.
+     *
+     * @param pixel the story
+     * @return the lines, indented, each with its line end
+     */
+    public static String of(PixelStory pixel) {
+        return lines(pixel).stream().map(Line::toString).collect(Collectors.joining("\n", "", "\n"));
+    }
+
+    /**
+     * Names an object or light.
+     *
+     * @param thing which one
+     * @return for example "object 3 (sphere, line 12)"
+     */
+    public static String object(Thing thing) {
+        return "object " + named(thing);
+    }
+
+    /**
+     * Writes a colour.
+     *
+     * @param c the colour, linear
+     * @return red, green and blue with six digits each
+     */
+    public static String colour(Colour c) {
+        return number(c.r) + ' ' + number(c.g) + ' ' + number(c.b);
+    }
+
+    /**
+     * Writes a colour as a picture file has it.
+     *
+     * @param c the colour, linear
+     * @return red, green and blue from 0 to 255
+     */
+    public static String levels(Colour c) {
+        return Picture.level(c.r) + " " + Picture.level(c.g) + ' ' + Picture.level(c.b);
+    }
+
+    private static String named(Thing thing) {
+        return thing.number() + " (" + thing.kind() + (thing.line() > 0 ? ", line " + thing.line() : "") + ')';
+    }
+
+    private void say(String text) {
+        lines.add(new Line(level, text));
+    }
+
+    private void tell(PixelStory pixel) {
+        say("pixel " + pixel.x() + ',' + pixel.y() + " of " + pixel.width() + 'x' + pixel.height() + ", stage " + pixel.stage() + ": "
+            + colour(pixel.colour()) + ", levels " + levels(pixel.colour()));
+        level++;
+        if (pixel.mean()) {
+            say("the mean of " + pixel.samples().size() + " samples, each brought into 0 to 1");
+        }
+        for (PixelStory.Sample sample : pixel.samples()) {
+            say("sample at " + number(sample.px()) + ',' + number(sample.py()) + ": " + colour(sample.colour()));
+            level++;
+            if (pixel.stage().isView()) {
+                say("the view " + pixel.stage() + " shows no light; this is the story of stage " + Stage.FINAL);
+            }
+            tell(sample.story());
+            level--;
+        }
+        level--;
+    }
+
+    private void tell(Story story) {
+        say("ray from " + point(story.ray().origin) + " along " + vector(story.ray().direction) + ", depth " + story.depth() + ": "
+            + colour(story.colour()));
+        level++;
+        if (!story.told()) {
+            say("not told any more: the pixel has too many rays");
+        } else if (story.hit() == null) {
+            say("hits nothing: background " + colour(story.colour()));
+        } else {
+            tell(story.hit());
+            say("sum: " + colour(story.colour()));
+        }
+        level--;
+    }
+
+    private void tell(Hit hit) {
+        Material material = hit.material();
+        say("hits " + object(hit.object()) + " at distance " + number(hit.distance()));
+        level++;
+        say("point " + point(hit.point()) + ", normal " + vector(hit.normal()) + (hit.enters() ? ", going in" : ", going out"));
+        level--;
+        say("ambient: " + colour(hit.ambient()));
+        level++;
+        say("Ka " + colour(material.ambient) + ", GA " + colour(hit.light()));
+        level--;
+        hit.lamps().forEach(lamp -> tell(lamp, material));
+        say("diffuse of all lights: " + colour(hit.diffuse()));
+        say("specular of all lights: " + colour(hit.specular()));
+        tell(hit.mirror(), "mirror ray", "Ks");
+        tell(hit.refracted(), "refracted ray", "Kt");
+    }
+
+    private void tell(Lamp lamp, Material material) {
+        Colour both = Colour.add(lamp.diffuse(), lamp.specular());
+        say("light " + named(lamp.light()) + ": " + colour(both));
+        level++;
+        say(switch (lamp.verdict()) {
+            case TURNED_AWAY -> "the surface is turned away from it";
+            case NO_SHADOWS -> "shines, for this stage has no shadows";
+            case REACHES -> "reaches the point";
+            case DIMMED -> "reaches the point, dimmed by " + between(lamp) + " to " + colour(lamp.arriving());
+            case BLOCKED -> "blocked by " + between(lamp);
+        });
+        say("LC " + colour(lamp.intensity()) + (Double.isInfinite(lamp.distance()) ? "" : ", distance " + number(lamp.distance())));
+        say("L " + vector(lamp.towards()) + ", N.L " + number(lamp.facing()));
+        say("H " + vector(lamp.halfway()) + ", N.H " + number(lamp.cosine()));
+        say("diffuse " + colour(lamp.diffuse()) + ", Kd " + colour(material.diffuse));
+        say("specular " + colour(lamp.specular()) + ", Ks " + colour(material.specular) + ", shininess " + number(material.shininess));
+        level--;
+    }
+
+    private static String between(Lamp lamp) {
+        return lamp.between().stream()
+            .map(b -> object(b.object()) + (b.transmission().isBlack() ? "" : " with Kt " + colour(b.transmission())))
+            .collect(Collectors.joining(" and "));
+    }
+
+    private void tell(Next next, String what, String share) {
+        if (next != null) {
+            say(what + ": " + colour(next.colour()) + ", " + share + ' ' + colour(next.share()));
+            level++;
+            tell(next.story());
+            level--;
+        }
+    }
+
+    private static String point(Point p) {
+        return '(' + number(p.x) + ' ' + number(p.y) + ' ' + number(p.z) + ')';
+    }
+
+    private static String vector(Vector v) {
+        return '(' + number(v.x) + ' ' + number(v.y) + ' ' + number(v.z) + ')';
+    }
+
+    /** {@return a number of six digits, the same on every Java} */
+    private static String number(double d) {
+        if (d == 0 || Double.isNaN(d) || Double.isInfinite(d)) {
+            return d == 0 ? "0" : Double.toString(d);
+        }
+        BigDecimal rounded = new BigDecimal(d).round(DIGITS).stripTrailingZeros();
+        int exponent = rounded.precision() - rounded.scale() - 1;
+        return exponent > LARGE || exponent < SMALL ? rounded.toString() : rounded.toPlainString();
+    }
+}

@@ -1,0 +1,81 @@
+package simpleray.scene;
+
+import java.io.IOException;
+import simpleray.math.Colour;
+import simpleray.text.SceneReader;
+
+/**
+ * The materials of the objects that are read from one file, equal ones once: a million spheres are rarely of a million materials.
+ * <em>Mutable,</em> for one thread.
+ */
+final class Materials {
+    private static final int FIRST_SIZE = 64;
+    /** So many places are looked at; a material that is not found there, which hardly happens, is not shared. */
+    private static final int MOST_PROBES = 256;
+    /** An odd number without a pattern in its bits: 2^64 by the golden ratio. */
+    private static final long MIXER = 0x9E3779B97F4A7C15L;
+
+    private Material[] table = new Material[FIRST_SIZE];      // hashed, at most half full
+    private int count;
+    private Material next = new Material();
+
+    /** {@return the material that comes next in the file, or the equal one that came before it} */
+    Material read(SceneReader is) throws IOException {
+        next.read(is);
+        int slot = slot(next);
+        if (slot >= 0 && table[slot] != null) {
+            return table[slot];
+        }
+        Material read = next;
+        next = new Material();
+        if (slot >= 0) {
+            table[slot] = read;
+            count++;
+            if (2 * count > table.length) {
+                grow();
+            }
+        }
+        return read;
+    }
+
+    /** {@return where an equal material is, or else where this one may go; -1 for neither} */
+    private int slot(Material m) {
+        int slot = (int) hash(m) & table.length - 1;
+        for (int i = 0; i < MOST_PROBES; i++) {
+            if (table[slot] == null || m.isSame(table[slot])) {
+                return slot;
+            }
+            slot = slot + 1 & table.length - 1;
+        }
+        return -1;
+    }
+
+    private void grow() {
+        Material[] old = table;
+        table = new Material[2 * old.length];
+        for (Material m : old) {
+            int slot = m == null ? -1 : slot(m);
+            if (slot >= 0) {
+                table[slot] = m;
+            }
+        }
+    }
+
+    /** {@return a number that is the same for equal materials, and as a rule no other} */
+    static long hash(Material m) {
+        long hash = mixed(bits(m.ambient), bits(m.diffuse));
+        hash = mixed(hash, bits(m.specular));
+        hash = mixed(hash, bits(m.transmission));
+        hash = mixed(hash, Double.doubleToRawLongBits(m.shininess));
+        return mixed(hash, Double.doubleToRawLongBits(m.index));
+    }
+
+    private static long bits(Colour c) {
+        return mixed(mixed(Double.doubleToRawLongBits(c.r), Double.doubleToRawLongBits(c.g)), Double.doubleToRawLongBits(c.b));
+    }
+
+    private static long mixed(long hash, long bits) {
+        long product = (hash ^ bits) * MIXER;
+        return product ^ product >>> Integer.SIZE;
+    }
+}

@@ -1,0 +1,120 @@
+package simpleray.scene;
+
+import java.io.IOException;
+import java.nio.file.FileSystemException;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.LinkOption;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import simpleray.text.Problem;
+import simpleray.text.SceneFormatException;
+import simpleray.text.SceneReader;
+
+/** The OBJ files that one scene names, each read once, and none that is out of its reach. <em>Mutable,</em> for one thread. */
+final class MeshFiles {
+    /** Windows takes these for a drive or for the root, whatever follows. To compile it takes 5 ms, and most scenes name no file. */
+    private static final String ROOTED = "(?s)/.*|[A-Za-z]:.*";
+
+    /** Each that was read, once, under the name that the scene had for it first. */
+    final List<SceneText.MeshFile> read = new ArrayList<>();
+
+    private final Reach reach;
+    private final Map<Path, TriangleTree> trees = new HashMap<>();     // by absolute path
+
+    MeshFiles(Reach reach) {
+        this.reach = reach;
+    }
+
+    /** {@return those of a scene that is being read: in its folder alone, unless who reads it said otherwise} */
+    static MeshFiles of(SceneReader is) {
+        return of(is, Reach.FOLDER);
+    }
+
+    /** {@return those of a scene of which nothing has been read yet, and which may name files that are in reach} */
+    static MeshFiles of(SceneReader is, Reach reach) {
+        return is.kept(MeshFiles.class, () -> new MeshFiles(reach));
+    }
+
+    /**
+     * Finds the triangles of the file whose name was read last; none if there is an error, which then is noted.
+     *
+     * @param is where the name was read
+     * @param name the name
+     * @throws IOException if that was one error too many, or the file breaks off
+     */
+    TriangleTree load(SceneReader is, String name) throws IOException {
+        TriangleTree tree = new TriangleTree(Triangles.NONE);
+        try {
+            if (reach == Reach.FOLDER && leavesByName(name)) {
+                throw new OutOfReachException();
+            }
+            Path path = is.resolve(name);
+            if (reach == Reach.FOLDER && leaves(is.resolve(""), path)) {
+                throw new OutOfReachException();
+            }
+            Path key = path.toAbsolutePath().normalize();
+            TriangleTree known = trees.get(key);
+            if (known != null) {
+                return known;
+            }
+            List<Problem> problems = new ArrayList<>();
+            try {
+                tree = new TriangleTree(ObjPolygons.read(path, problems::add,
+                    digest -> read.add(new SceneText.MeshFile(name, digest))));
+            } catch (SceneFormatException e) {
+                problems.addAll(e.problems());
+            }
+            trees.put(key, tree);                          // with errors too: they are reported once
+            for (Problem problem : problems) {
+                is.report(problem);
+            }
+        } catch (OutOfReachException e) {
+            is.reject("OBJ file within the scene's folder (--allow-outside allows any)");
+        } catch (FileSystemException e) {
+            String reason = e.getReason() == null ? e.toString() : e.getReason();
+            is.reject("OBJ file that can be read (" + Problem.printable(e.getFile() + ": " + reason) + ')');
+        } catch (InvalidPathException e) {
+            is.reject("OBJ file that can be read (" + e.getReason() + ')');
+        }
+        return tree;
+    }
+
+    /** {@return whether a name leaves its folder by what it says, on this system or another: a scene is the same everywhere} */
+    private static boolean leavesByName(String name) {
+        String path = name.replace('\\', '/');
+        if (path.matches(ROOTED)) {
+            return true;
+        }
+        int depth = 0;
+        for (String step : path.split("/", -1)) {
+            depth += step.equals("..") ? -1 : step.isEmpty() || step.equals(".") ? 0 : 1;
+            if (depth < 0) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** {@return whether a path leaves the folder through symbolic links} Of a file that is not there, its folder counts. */
+    private static boolean leaves(Path folder, Path path) throws IOException {
+        Path home = folder.toAbsolutePath().toRealPath();
+        Path there = path.toAbsolutePath();
+        Path parent = there.getParent();
+        while (parent != null && !Files.exists(there, LinkOption.NOFOLLOW_LINKS)) {
+            there = parent;
+            parent = there.getParent();
+        }
+        boolean dangling = parent != null && Files.isSymbolicLink(there) && !Files.exists(there);
+        Path real = dangling ? parent.toRealPath().resolve(Files.readSymbolicLink(there)).normalize() : there.toRealPath();
+        return !real.startsWith(home);
+    }
+
+    /** The file may not be read, and so nothing is said of whether it is there. */
+    private static final class OutOfReachException extends IOException {
+        private static final long serialVersionUID = 1L;
+    }
+}

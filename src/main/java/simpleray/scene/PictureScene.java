@@ -1,0 +1,166 @@
+package simpleray.scene;
+
+import java.io.BufferedInputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import simpleray.scene.SceneText.MeshFile;
+import simpleray.text.PictureFormatException;
+import simpleray.text.PngChunks;
+import simpleray.text.PngText;
+import simpleray.text.PngTextReader;
+import simpleray.text.Problem;
+import simpleray.text.SceneBytes;
+import simpleray.text.Sha256;
+
+/**
+ * What a picture tells of how it was made, in the texts that its file carries. <em>Constant.</em>
+ *
+ * @param file the picture's name, for messages
+ * @param software the program that made it and its version
+ * @param settings size, depth, samples, camera and background, as far as they were asked for
+ * @param others the other options, a line each
+ * @param text the scene, of which the text itself may be missing, and the meshes that it names
+ */
+public record PictureScene(String file, String software, SceneSettings settings, List<String> others, SceneText text) {
+    private static final String SOFTWARE = "Software";
+    private static final String OPTIONS = "simpleray.options";
+    private static final String SUMS = "simpleray.sha256";
+    private static final String TEXT = "simpleray.scene";
+    private static final int SUM = 64;
+    private static final String GAP = "  ";                   // as sha256sum writes
+
+    /**
+     * Reads what a picture tells.
+     *
+     * @param path the picture's file
+     * @return what it tells
+     * @throws PictureFormatException if it is no PNG, is damaged, or does not tell it
+     * @throws IOException if it cannot be read
+     */
+    public static PictureScene read(Path path) throws IOException {
+        try (InputStream in = Files.newInputStream(path)) {
+            SceneBytes bytes = new SceneBytes(in, 0);
+            if (!bytes.isPng()) {
+                throw new PictureFormatException(path.toString(), "is no PNG");
+            }
+            return read(bytes, path.toString());
+        }
+    }
+
+    /** Reads what a picture tells of which the signature was seen. */
+    static PictureScene read(SceneBytes in, String file) throws IOException {
+        Map<String, byte[]> texts = PngTextReader.read(new PngChunks(new BufferedInputStream(in.behindHead()), file));
+        String software = string(texts, SOFTWARE);
+        String options = string(texts, OPTIONS);
+        String sums = string(texts, SUMS);
+        if (software == null || options == null || sums == null) {
+            throw new PictureFormatException(file, "carries no scene: it is not of SimpleRay, or another program has written it anew");
+        }
+        List<String> others = new ArrayList<>();
+        StringBuilder known = new StringBuilder();
+        options.lines().forEach(line -> {
+            if (SceneSettings.isSetting(line)) {
+                known.append(line).append('\n');
+            } else {
+                others.add(line);
+            }
+        });
+        return new PictureScene(file, software, SceneSettings.of(known.toString(), file + " (its options)"), List.copyOf(others),
+            text(file, sums.lines().toList(), texts.get(TEXT)));
+    }
+
+    private static SceneText text(String file, List<String> sums, byte[] text) throws IOException {
+        List<MeshFile> all = new ArrayList<>();
+        for (String line : sums) {
+            if (line.length() <= SUM + GAP.length() || !line.startsWith(GAP, SUM)) {
+                throw new PictureFormatException(file, "carries a digest that cannot be read: " + Problem.quoted(line));
+            }
+            all.add(new MeshFile(line.substring(SUM + GAP.length()), line.substring(0, SUM)));
+        }
+        if (all.isEmpty()) {
+            throw new PictureFormatException(file, "carries no digest of its scene");
+        }
+        MeshFile scene = all.remove(0);
+        if (text != null && !Sha256.of(text).equals(scene.sha256())) {
+            throw new PictureFormatException(file, "carries another scene than it was made of: the digests differ");
+        }
+        return new SceneText(scene.name(), scene.sha256(), text, List.copyOf(all));
+    }
+
+    private static String string(Map<String, byte[]> texts, String keyword) {
+        byte[] text = texts.get(keyword);
+        return text == null ? null : new String(text, StandardCharsets.UTF_8);
+    }
+
+    /**
+     * Puts together what a picture is to tell, so that {@link #read} finds it.
+     *
+     * @param software the program that makes it and its version
+     * @param options the options, a line each
+     * @param text the scene
+     * @return the texts
+     */
+    public static List<PngText> texts(String software, String options, SceneText text) {
+        StringBuilder sums = new StringBuilder(text.sha256() + GAP + line(text.name()) + '\n');
+        for (MeshFile mesh : text.meshes()) {
+            sums.append(mesh.sha256()).append(GAP).append(line(mesh.name())).append('\n');
+        }
+        List<PngText> texts = new ArrayList<>(List.of(new PngText(SOFTWARE, software), new PngText(OPTIONS, options),
+            new PngText(SUMS, sums.toString())));
+        if (text.bytes() != null) {
+            texts.add(new PngText(TEXT, text.bytes()));
+        }
+        return texts;
+    }
+
+    private static String line(String name) {
+        StringBuilder line = new StringBuilder(name);
+        for (int i = 0; i < line.length(); i++) {
+            if (Character.isISOControl(line.charAt(i))) {
+                line.setCharAt(i, '?');
+            }
+        }
+        return line.toString();
+    }
+
+    /**
+     * Finds the meshes that are others now than when the picture was made.
+     *
+     * @param now those that were read now
+     * @return their names
+     */
+    public List<String> changed(List<MeshFile> now) {
+        return text.meshes().stream().filter(mesh -> now.stream().noneMatch(other -> line(other.name()).equals(mesh.name())
+            && other.sha256().equals(mesh.sha256()))).map(MeshFile::name).toList();
+    }
+
+    /**
+     * Reads the scene, which gets the picture's settings.
+     *
+     * @param name what messages call it
+     * @param folder where the files lie that it names
+     * @param reach which of them it may name
+     * @return the scene
+     * @throws PictureFormatException if the picture carries only the digest
+     * @throws IOException if there are errors in it, or a mesh cannot be read
+     */
+    SceneFile open(String name, Path folder, Reach reach) throws IOException {
+        if (text.bytes() == null) {
+            throw new PictureFormatException(file, "carries only the digest of its scene, which is too long: open " + text.name());
+        }
+        SceneFile read = SceneFile.read(text, name, folder, reach);
+        read.scene().settings = read.scene().settings.under(settings);
+        List<Problem> warnings = new ArrayList<>(read.warnings());
+        for (String mesh : changed(read.text().meshes())) {
+            warnings.add(new Problem(name, 1, 1, false, "the mesh " + Problem.quoted(mesh) + " is not the one that the picture was made of",
+                text.name()));
+        }
+        return new SceneFile(read.scene(), List.copyOf(warnings), read.text());
+    }
+}

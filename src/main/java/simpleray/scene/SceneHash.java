@@ -1,0 +1,100 @@
+package simpleray.scene;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.io.UncheckedIOException;
+import java.nio.ByteBuffer;
+import java.security.DigestOutputStream;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
+import java.util.Collections;
+import java.util.HexFormat;
+import java.util.IdentityHashMap;
+import java.util.Set;
+import simpleray.text.SceneWriter;
+
+/**
+ * The SHA-256 of what a scene's picture is made of: objects with all triangles of their meshes, lights and ambient light, as they are in
+ * memory. So it is that of the scene that is rendered, even if its files were changed since; comments and settings do not count.
+ */
+public final class SceneHash {
+    private static final int BUFFER = 1 << 13;
+
+    private SceneHash() {
+    }
+
+    /**
+     * Finds the hash.
+     *
+     * @param scene the scene, which does not change meanwhile
+     * @return 64 hexadecimal digits
+     */
+    public static String of(Scene scene) {
+        try {
+            MessageDigest digest = MessageDigest.getInstance("SHA-256");
+            SceneWriter writer = new SceneWriter(new DigestOutputStream(OutputStream.nullOutputStream(), digest));
+            withoutSettings(scene).write(writer);
+            writer.flush();
+            Set<Triangles> done = Collections.newSetFromMap(new IdentityHashMap<>());
+            for (int i = 0; i < scene.getNumberObjects(); i++) {
+                if (scene.getObject(i) instanceof Mesh mesh && done.add(mesh.tree().triangles)) {
+                    add(digest, mesh.tree().triangles);
+                }
+            }
+            return HexFormat.of().formatHex(digest.digest());
+        } catch (NoSuchAlgorithmException e) {
+            throw new IllegalStateException("each Java has SHA-256", e);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    private static Scene withoutSettings(Scene scene) {
+        Scene bare = new Scene();
+        bare.ambient = scene.ambient;
+        bare.setNumberObjects(scene.getNumberObjects());
+        for (int i = 0; i < scene.getNumberObjects(); i++) {
+            bare.setObject(i, scene.getObject(i));
+        }
+        bare.setNumberLights(scene.getNumberLights());
+        for (int i = 0; i < scene.getNumberLights(); i++) {
+            bare.setLight(i, scene.getLight(i));
+        }
+        return bare;
+    }
+
+    private static void add(MessageDigest digest, Triangles triangles) {
+        add(digest, triangles.vertices());
+        add(digest, triangles.corners());
+        add(digest, triangles.normals());
+        add(digest, triangles.cornerNormals());
+    }
+
+    private static void add(MessageDigest digest, double[] numbers) {
+        ByteBuffer bytes = begin(numbers.length);
+        for (double number : numbers) {
+            room(digest, bytes).putDouble(number);
+        }
+        digest.update(bytes.flip());
+    }
+
+    private static void add(MessageDigest digest, int[] numbers) {
+        ByteBuffer bytes = begin(numbers == null ? -1 : numbers.length);
+        for (int i = 0; numbers != null && i < numbers.length; i++) {
+            room(digest, bytes).putInt(numbers[i]);
+        }
+        digest.update(bytes.flip());
+    }
+
+    private static ByteBuffer begin(int count) {
+        return ByteBuffer.allocate(BUFFER).putInt(count);
+    }
+
+    private static ByteBuffer room(MessageDigest digest, ByteBuffer bytes) {
+        if (bytes.remaining() < Double.BYTES) {
+            digest.update(bytes.flip());
+            bytes.clear();
+        }
+        return bytes;
+    }
+}

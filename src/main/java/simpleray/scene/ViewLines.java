@@ -1,0 +1,201 @@
+package simpleray.scene;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.List;
+import simpleray.text.Numbers;
+import simpleray.text.SceneReader;
+import simpleray.text.SceneWriter;
+import simpleray.text.Span;
+
+/**
+ * The lines of a scene file that say where the camera is: {@code camera}, or {@code window} and {@code cop}. They are changed in a
+ * file's bytes, of which all others stay as they are. <em>Mutable</em>, for one thread.
+ */
+public final class ViewLines {
+    private static final List<String> KEYWORDS = List.of("camera", "window", "cop");
+
+    private final byte[] bytes;
+    private final List<Edit> edits = new ArrayList<>();
+
+    /** Text in place of a piece of the file. */
+    private record Edit(int start, int end, String text) {
+    }
+
+    private ViewLines(byte[] bytes) {
+        this.bytes = bytes;
+    }
+
+    /**
+     * Writes what settings say of the camera as it stands in a scene file.
+     *
+     * @param view the settings
+     * @return a line or two, each ended by LF; empty if they say nothing of it
+     */
+    public static String of(SceneSettings view) {
+        SceneSettings camera = new SceneSettings();
+        camera.camera = view.camera;
+        camera.window = view.window;
+        camera.cop = view.cop;
+        ByteArrayOutputStream text = new ByteArrayOutputStream();
+        try (SceneWriter writer = new SceneWriter(text)) {
+            camera.write(writer);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);                // memory can always be written to
+        }
+        return text.toString(StandardCharsets.UTF_8);
+    }
+
+    /**
+     * Puts a camera into a scene file. A number that is right stays as it is written; a line takes the place of one that it excludes, or
+     * comes directly behind the scene's last value.
+     *
+     * @param bytes the file's bytes
+     * @param path the file, in whose folder lies what the scene names; its name stands in messages
+     * @param view settings that say where the camera is
+     * @param reach which OBJ files it may name
+     * @return the bytes of the changed file; reading it gives the very same camera
+     * @throws simpleray.text.SceneFormatException if the file is no scene
+     * @throws IOException if a file that the scene names cannot be read
+     */
+    public static byte[] put(byte[] bytes, Path path, SceneSettings view, Reach reach) throws IOException {
+        Scene scene = new Scene();
+        try (SceneReader reader = Span.reader(bytes, path)) {
+            MeshFiles.of(reader, reach);
+            scene.read(reader);
+        }
+        ViewLines file = new ViewLines(bytes);
+        file.edit(scene.settings, of(view).lines().toList());
+        return file.edited();
+    }
+
+    private void edit(SceneSettings old, List<String> wanted) throws IOException {
+        List<String> lines = new ArrayList<>(wanted);
+        List<String> gone = new ArrayList<>(KEYWORDS);
+        gone.retainAll(old.places.keySet());
+        gone.sort(Comparator.comparingLong(keyword -> old.places.get(keyword).start()));
+        for (String line : wanted) {
+            String keyword = line.split(" ", 2)[0];
+            if (gone.remove(keyword)) {
+                renumber(values(keyword, old.places.get(keyword)), line.split(" "));
+                lines.remove(line);
+            }
+        }
+        for (String keyword : gone) {
+            Span place = old.places.get(keyword);
+            String line = lines.isEmpty() ? "" : lines.remove(0);
+            replace(place, (int) place.start() + keyword.length(), values(keyword, place), line);
+        }
+        insert((int) old.last.end(), lines);
+    }
+
+    private List<Span> values(String keyword, Span place) throws IOException {
+        return new Span(place.start() + keyword.length(), place.end()).words(bytes);
+    }
+
+    /** Writes numbers in place of those that stand there, but for those that are equal. */
+    private void renumber(List<Span> words, String[] line) {
+        for (int i = 0; i < words.size(); i++) {
+            Span word = words.get(i);
+            String now = text((int) word.start(), (int) word.end());
+            if (Double.compare(Numbers.parseDouble(now), Double.parseDouble(line[i + 1])) != 0) {
+                edits.add(new Edit((int) word.start(), (int) word.end(), line[i + 1]));
+            }
+        }
+    }
+
+    /** Writes a line in place of a keyword, and takes away its values; without a line, also lines of the file of which nothing is left. */
+    private void replace(Span place, int keywordEnd, List<Span> words, String line) {
+        List<Edit> taken = new ArrayList<>();
+        taken.add(new Edit((int) place.start(), keywordEnd, line));
+        for (Span word : words) {
+            int start = (int) word.start();
+            while (isBlank(start - 1)) {
+                start--;
+            }
+            taken.add(new Edit(start, (int) word.end(), ""));
+        }
+        for (int i = 0; i < taken.size(); i++) {
+            int begin = lineStart(taken.get(i).start);
+            int from = i;
+            while (i + 1 < taken.size() && lineStart(taken.get(i + 1).start) == begin) {
+                i++;
+            }
+            int end = taken.get(i).end;
+            while (isBlank(end)) {
+                end++;
+            }
+            boolean empty = taken.subList(from, i + 1).stream().allMatch(e -> e.text.isEmpty())
+                && text(begin, taken.get(from).start).isBlank() && (end == bytes.length || isBreak(end));
+            edits.addAll(empty ? List.of(new Edit(begin, behindBreak(end), "")) : taken.subList(from, i + 1));
+        }
+    }
+
+    /** Adds lines behind the line in which the scene's last value ends. */
+    private void insert(int lastEnd, List<String> lines) {
+        int end = lastEnd;
+        while (end < bytes.length && !isBreak(end)) {
+            end++;
+        }
+        boolean open = end == bytes.length;                   // the last line of the file, and no line break ends it
+        String added = String.join(lineBreak(), lines);
+        if (!lines.isEmpty()) {
+            edits.add(new Edit(behindBreak(end), behindBreak(end), open ? lineBreak() + added : added + lineBreak()));
+        }
+    }
+
+    private byte[] edited() {
+        edits.sort(Comparator.comparingInt(Edit::start));
+        ByteArrayOutputStream out = new ByteArrayOutputStream(bytes.length);
+        int at = 0;
+        for (Edit edit : edits) {
+            out.write(bytes, at, edit.start - at);
+            out.writeBytes(edit.text.getBytes(StandardCharsets.US_ASCII));
+            at = edit.end;
+        }
+        out.write(bytes, at, bytes.length - at);
+        return out.toByteArray();
+    }
+
+    /** {@return the bytes as characters, one each} */
+    private String text(int from, int to) {
+        return new String(Arrays.copyOfRange(bytes, from, to), StandardCharsets.ISO_8859_1);
+    }
+
+    private int lineStart(int index) {
+        int start = index;
+        while (start > 0 && !isBreak(start - 1)) {
+            start--;
+        }
+        return start;
+    }
+
+    private boolean isBlank(int index) {
+        return index >= 0 && index < bytes.length && (bytes[index] == ' ' || bytes[index] == '\t');
+    }
+
+    private boolean isBreak(int index) {
+        return bytes[index] == '\n' || bytes[index] == '\r';
+    }
+
+    /** {@return the index behind the line break here; the same index at the end of the file} */
+    private int behindBreak(int index) {
+        boolean two = index + 1 < bytes.length && bytes[index] == '\r' && bytes[index + 1] == '\n';
+        return Math.min(bytes.length, index + (two ? 2 : 1));
+    }
+
+    /** {@return the line break that the file uses first; LF if it has none} */
+    private String lineBreak() {
+        int i = 0;
+        while (i < bytes.length && !isBreak(i)) {
+            i++;
+        }
+        return i == bytes.length ? "\n" : text(i, behindBreak(i));
+    }
+}

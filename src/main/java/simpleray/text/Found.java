@@ -1,0 +1,80 @@
+package simpleray.text;
+
+import java.util.Locale;
+import java.util.regex.Pattern;
+
+/** Says what was found instead of a number: the word, and why it is none where that can be overlooked. */
+public final class Found {
+    private static final Pattern NOT_FINITE = Pattern.compile("[-+]?(nan|inf|infinity)");
+    private static final Pattern HEXADECIMAL = Pattern.compile("[-+]?0x[0-9a-f.p+-]*");
+    private static final Pattern SUFFIXED = Pattern.compile("[-+]?[0-9.]+(e[-+]?[0-9]+)?[dfl]");
+    private static final Pattern NO_INTEGER = Pattern.compile("[-+]?[0-9]*[.,eE][-+0-9.,eE]*");
+    private static final Pattern MANY = Pattern.compile("[-+0-9.eE]+(,[-+0-9.eE]+){2,}");
+    /** Minus signs, as they get into a text that a word processor has seen. */
+    private static final String DASHES = "\u2010\u2011\u2012\u2013\u2014\u2212\uFF0D";
+    private static final String NOT_DECODED = "\uFFFD";
+
+    private Found() {
+    }
+
+    /**
+     * Says what was found.
+     *
+     * @param word the word
+     * @return the word in quotes and, unless it is a number or nothing like one, why it is none
+     */
+    public static String word(String word) {
+        String why = Double.isNaN(Numbers.parseDouble(word)) ? why(word) : null;
+        return Problem.quoted(word) + (why == null ? "" : " (" + why + ')');
+    }
+
+    /** Says what was found instead of an integer between these. */
+    static String integer(String word, long least, long most) {
+        double value = Numbers.parseDouble(word);
+        if (NO_INTEGER.matcher(word).matches()) {
+            return Problem.quoted(word) + " (an integer has only digits)";
+        }
+        if (Double.isNaN(value)) {
+            return word(word);
+        }
+        boolean told = most < Integer.MAX_VALUE;              // a narrower range is one of what is read, which says so itself
+        String beyond = value < least / 2.0 + most / 2.0 ? " (less than " + least + ')' : " (more than " + most + ')';
+        return Problem.quoted(word) + (told ? "" : beyond);
+    }
+
+    private static String why(String word) {
+        String lower = word.toLowerCase(Locale.ROOT);
+        if (word.startsWith(NOT_DECODED + NOT_DECODED)) {
+            return "not UTF-8; is the file UTF-16, or no text?";
+        }
+        if (word.indexOf('\0') >= 0) {
+            return "with NUL bytes; is the file UTF-16, or no text?";
+        }
+        if (word.contains(NOT_DECODED)) {
+            return "not UTF-8";
+        }
+        int hidden = word.codePoints().filter(c -> Problem.isHidden(c) || Character.isISOControl(c)).findFirst().orElse(0);
+        if (hidden > 0) {
+            return String.format(Locale.ROOT, "with the invisible character U+%04X", hidden);
+        }
+        if (NOT_FINITE.matcher(lower).matches()) {
+            return "numbers must be finite";
+        }
+        if (HEXADECIMAL.matcher(lower).matches()) {
+            return "numbers are decimal";
+        }
+        if (word.codePoints().anyMatch(c -> c > '9' && Character.isDigit(c) || DASHES.indexOf(c) >= 0)) {
+            return "numbers are written with 0 to 9, + and -";
+        }
+        if (MANY.matcher(word).matches()) {
+            return "values are separated by blanks";
+        }
+        if (!Double.isNaN(Numbers.parseDouble(word.replace(',', '.')))) {
+            return "a decimal point is a '.'";
+        }
+        if (SUFFIXED.matcher(lower).matches()) {
+            return "a number ends with a digit";
+        }
+        return Numbers.isDecimal(word) ? "beyond 1.8e308, the largest number" : null;
+    }
+}

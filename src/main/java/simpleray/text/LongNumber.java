@@ -1,0 +1,89 @@
+package simpleray.text;
+
+/**
+ * A word too long for the memory, told character by character: if it is a number, a short one that means the same is made of it.
+ * <em>Mutable.</em>
+ *
+ * <p>No double, and no point half-way between two, has more than 767 significant digits. Of those behind the first thousand it matters
+ * only whether one is not 0.
+ */
+final class LongNumber {
+    private static final int MOST_DIGITS = 1000;
+    /** Beyond all exponents that make a difference. */
+    private static final long MOST_EXPONENT = 100_000;
+    private static final long MOST_WRITTEN = Long.MAX_VALUE / 100;
+
+    private final StringBuilder digits = new StringBuilder();
+    private boolean negative;
+    private boolean more;            // there was a digit other than 0 behind those that are kept
+    private boolean some;            // there was a digit where there must be one
+    private long scale;              // the power of ten that the digits are to be multiplied by
+    private long exponent;
+    private boolean negativeExponent;
+    private Part part = Part.START;
+
+    private enum Part { START, WHOLE, FRACTION, EXPONENT_START, EXPONENT, WRONG }
+
+    /** Appends a character of the word. */
+    void add(char c) {
+        if (c >= '0' && c <= '9') {
+            digit(c);
+        } else if ((c == '-' || c == '+') && part == Part.START) {
+            negative = c == '-';
+            part = Part.WHOLE;
+        } else if (c == '.' && (part == Part.START || part == Part.WHOLE)) {
+            part = Part.FRACTION;
+        } else if ((c == 'e' || c == 'E') && some && (part == Part.WHOLE || part == Part.FRACTION)) {
+            part = Part.EXPONENT_START;
+            some = false;
+        } else if ((c == '-' || c == '+') && part == Part.EXPONENT_START) {
+            negativeExponent = c == '-';
+            part = Part.EXPONENT;
+        } else {
+            part = Part.WRONG;
+        }
+    }
+
+    /** {@return whether it is no number, whatever follows} */
+    boolean isWrong() {
+        return part == Part.WRONG;
+    }
+
+    private void digit(char c) {
+        some = true;
+        if (part == Part.EXPONENT_START || part == Part.EXPONENT) {
+            part = Part.EXPONENT;
+            exponent = Math.min(MOST_WRITTEN, 10 * exponent + c - '0');
+            return;
+        }
+        if (part == Part.START) {
+            part = Part.WHOLE;
+        }
+        boolean kept = digits.length() < MOST_DIGITS && (c != '0' || !digits.isEmpty());
+        if (kept) {
+            digits.append(c);
+        } else {
+            more |= c != '0';
+        }
+        if (part == Part.FRACTION && (kept || digits.isEmpty())) {
+            scale--;
+        } else if (part == Part.WHOLE && !kept && !digits.isEmpty()) {
+            scale++;
+        }
+    }
+
+    /** {@return a word of some thousand characters at most, which is the same integer, number or no number} */
+    @Override
+    public String toString() {
+        if (!some || part == Part.WRONG) {
+            return "";
+        }
+        String shown = (negative ? "-" : "") + (digits.isEmpty() ? "0" : digits);
+        if (part == Part.WHOLE && scale == 0) {
+            return shown;
+        }
+        // a last digit that stands for all that were dropped, one place below the others
+        long power = scale + (negativeExponent ? -exponent : exponent) - (more ? 1 : 0);
+        return shown + (more ? "1" : "") + 'e' + Math.max(-MOST_EXPONENT, Math.min(MOST_EXPONENT, power));
+    }
+}

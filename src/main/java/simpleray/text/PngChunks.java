@@ -1,0 +1,169 @@
+package simpleray.text;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
+import java.util.zip.CRC32;
+
+/**
+ * Reads the chunks of a PNG file in turn, and checks their sums (W3C, "Portable Network Graphics Specification", second edition, 2003).
+ * <em>Mutable,</em> for one thread.
+ */
+public final class PngChunks {
+    /** The bytes with which each file begins; none of UTF-8 begins like them. */
+    private static final byte[] SIGNATURE = {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
+    private static final String LAST = "IEND";
+    private static final int NAME = 4;
+    private static final int BUFFER = 1 << 16;
+
+    private final InputStream in;
+    private final String file;
+    private final CRC32 sum = new CRC32();
+    private byte[] passed;                                    // what nobody wants to see
+    private String name = "";
+    private boolean ended;
+    private long left = -1;                                   // bytes of the chunk's data; -1: there is no chunk
+
+    /**
+     * Begins behind a file's signature.
+     *
+     * @param in the file
+     * @param file what messages call it
+     */
+    public PngChunks(InputStream in, String file) {
+        this.in = in;
+        this.file = file;
+    }
+
+    /** {@return the bytes with which a PNG file begins} */
+    public static byte[] signature() {
+        return SIGNATURE.clone();
+    }
+
+    /**
+     * Passes over the signature.
+     *
+     * @return these chunks
+     * @throws PictureFormatException if it is none
+     */
+    public PngChunks begin() throws IOException {
+        if (!Arrays.equals(in.readNBytes(SIGNATURE.length), SIGNATURE)) {
+            throw fault("is no PNG");
+        }
+        return this;
+    }
+
+    /**
+     * Goes to the next chunk. What was not read of the one before is passed over; its sum is checked.
+     *
+     * @return its name; null behind the last one
+     * @throws PictureFormatException if the file is damaged
+     */
+    public String next() throws IOException {
+        if (ended) {
+            return null;
+        }
+        if (left >= 0) {
+            passOver();
+            ended = name.equals(LAST);
+            if (ended) {
+                return null;
+            }
+        }
+        String before = name.isEmpty() ? "behind its signature" : "behind the chunk " + name;
+        byte[] head = in.readNBytes(2 * NAME);
+        if (head.length < 2 * NAME) {
+            throw fault("is cut off " + before);
+        }
+        left = word(head);
+        for (int i = NAME; i < head.length; i++) {
+            if (!Character.isLetter(head[i])) {
+                throw fault("is damaged " + before);
+            }
+        }
+        if (left < 0) {
+            throw fault("is damaged " + before);
+        }
+        name = new String(head, NAME, NAME, StandardCharsets.US_ASCII);
+        sum.reset();
+        sum.update(head, NAME, NAME);
+        return name;
+    }
+
+    /** {@return how much of the chunk's data was not read yet} */
+    public long left() {
+        return left;
+    }
+
+    /**
+     * Reads some of the chunk's data.
+     *
+     * @param bytes where to
+     * @param from where there
+     * @param most how many at most
+     * @return how many; -1 at the chunk's end
+     * @throws PictureFormatException if the file ends
+     */
+    public int read(byte[] bytes, int from, int most) throws IOException {
+        if (left <= 0) {
+            return -1;
+        }
+        int some = in.read(bytes, from, (int) Math.min(most, left));
+        if (some < 0) {
+            throw fault("is cut off in the chunk " + name);
+        }
+        sum.update(bytes, from, some);
+        left -= some;
+        return some;
+    }
+
+    /**
+     * Reads what is left of the chunk.
+     *
+     * @param most how much that may be
+     * @return its data
+     * @throws PictureFormatException if it is more
+     */
+    public byte[] rest(int most) throws IOException {
+        if (left > most) {
+            throw fault("has a chunk " + name + " that is too long: " + left + " bytes of at most " + most);
+        }
+        byte[] data = new byte[(int) left];
+        int at = 0;
+        while (left > 0) {
+            at += read(data, at, (int) left);
+        }
+        return data;
+    }
+
+    /**
+     * Says what is wrong with the file.
+     *
+     * @param fault what it is
+     * @return the exception to be thrown
+     */
+    public PictureFormatException fault(String fault) {
+        return new PictureFormatException(file, fault);
+    }
+
+    private void passOver() throws IOException {
+        if (passed == null) {
+            passed = new byte[BUFFER];
+        }
+        while (read(passed, 0, passed.length) >= 0) {
+            continue;
+        }
+        byte[] told = in.readNBytes(NAME);
+        if (told.length < NAME) {
+            throw fault("is cut off in the chunk " + name);
+        }
+        if (word(told) != (int) sum.getValue()) {
+            throw fault("is damaged in the chunk " + name + ": its checksum is wrong");
+        }
+    }
+
+    private static int word(byte[] bytes) {
+        return bytes[0] << 24 | (bytes[1] & 0xFF) << 16 | (bytes[2] & 0xFF) << 8 | bytes[3] & 0xFF;
+    }
+}

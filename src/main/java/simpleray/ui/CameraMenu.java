@@ -1,0 +1,190 @@
+package simpleray.ui;
+
+import java.awt.Toolkit;
+import java.awt.datatransfer.StringSelection;
+import java.awt.event.ActionEvent;
+import java.awt.event.KeyEvent;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.FileSystemException;
+import java.nio.file.Path;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.TimeUnit;
+import javax.swing.AbstractAction;
+import javax.swing.Action;
+import javax.swing.JComponent;
+import javax.swing.JMenu;
+import javax.swing.JOptionPane;
+import javax.swing.KeyStroke;
+import javax.swing.SwingUtilities;
+import simpleray.scene.FreeView;
+import simpleray.scene.SceneSettings;
+import simpleray.scene.ViewLines;
+import simpleray.text.SceneFormatException;
+
+/** The Camera menu: what the mouse does in steps, back to the scene's own camera, and taking the camera along. */
+final class CameraMenu {
+    private static final double STEP = 5;                     // degrees
+    private static final double PIECE = 0.05;                 // of the picture's height
+    private static final String TITLE = "The view was not saved";
+
+    private final ViewerFrame frame;
+    private final SimpleRay picture;
+    private final CameraTool tool;
+    private final JMenu menu = new JMenu("Camera");
+    private final ExecutorService writer = Executors.newSingleThreadExecutor(task -> new Thread(task, "simpleray-view"));
+
+    CameraMenu(ViewerFrame frame) {
+        this.frame = frame;
+        picture = frame.picture();
+        tool = new CameraTool(picture);
+        menu.setMnemonic(KeyEvent.VK_C);
+        add("Orbit Left", "LEFT", () -> tool.turn(-STEP, 0));
+        add("Orbit Right", "RIGHT", () -> tool.turn(STEP, 0));
+        add("Orbit Up", "UP", () -> tool.turn(0, STEP));
+        add("Orbit Down", "DOWN", () -> tool.turn(0, -STEP));
+        menu.addSeparator();
+        add("Pan Left", "shift LEFT", () -> tool.pan(-PIECE, 0));
+        add("Pan Right", "shift RIGHT", () -> tool.pan(PIECE, 0));
+        add("Pan Up", "shift UP", () -> tool.pan(0, PIECE));
+        add("Pan Down", "shift DOWN", () -> tool.pan(0, -PIECE));
+        menu.addSeparator();
+        add("Nearer", "PAGE_UP", () -> tool.dolly(1));
+        add("Farther", "PAGE_DOWN", () -> tool.dolly(-1));
+        add("Back to the Scene's Camera", "HOME", tool::reset);
+        menu.addSeparator();
+        add("Copy Camera", "control shift C", this::copy);
+        add("Save View in Scene", "control shift V", this::save);
+    }
+
+    JMenu menu() {
+        return menu;
+    }
+
+    /** Lets go of the moves: another scene comes. */
+    void forget() {
+        tool.forget();
+    }
+
+    /** Saves no more views; one that is being saved still is. */
+    void close() {
+        writer.shutdown();
+    }
+
+    /** Waits until all views are saved; not for the event thread. */
+    void await() throws InterruptedException {
+        writer.awaitTermination(Long.MAX_VALUE, TimeUnit.NANOSECONDS);
+    }
+
+    /** Adds an item. Its key also works where the pane round the picture would take it for scrolling. */
+    private void add(String name, String key, Runnable task) {
+        Action action = new AbstractAction(name) {
+            private static final long serialVersionUID = 1L;
+
+            @Override
+            public void actionPerformed(ActionEvent e) {
+                task.run();
+            }
+        };
+        action.putValue(Action.ACCELERATOR_KEY, KeyStroke.getKeyStroke(key));
+        picture.getInputMap(JComponent.WHEN_FOCUSED).put(KeyStroke.getKeyStroke(key), name);
+        picture.getActionMap().put(name, action);
+        menu.add(action);
+    }
+
+    /** Puts the lines that a scene file would have on the clipboard: a camera, or what no free camera shows. */
+    private void copy() {
+        SceneSettings view = tool.view();
+        if (view == null) {
+            frame.say("There is no camera to copy: no scene was read");
+            return;
+        }
+        if (FreeView.isExact(view)) {
+            SceneSettings free = new SceneSettings();
+            free.camera = FreeView.of(view);
+            view = free;
+        }
+        String lines = ViewLines.of(view);
+        Toolkit.getDefaultToolkit().getSystemClipboard().setContents(new StringSelection(lines), null);
+        frame.say("Copied: " + lines.strip().replace("\n", "; "));
+    }
+
+    private void save() {
+        SceneSettings view = tool.view();
+        if (view == null) {
+            frame.say("There is no view to save: no scene was read");
+        } else if (frame.scene().text() != null && tool.isOther()) {
+            putIntoText(picture.source(), frame.scene().text(), view);
+        } else if (!(picture.source() instanceof FileSource file)) {
+            tell("The scene came by standard input: there is no file to write to");
+        } else if (!tool.isOther()) {
+            frame.say("The scene has this view already");
+        } else {
+            writer.execute(() -> {
+                String failure = failure(file, view);
+                if (failure == null) {
+                    frame.wroteScene();                       // else it would be read twice
+                }
+                SwingUtilities.invokeLater(() -> saved(file, view, failure));
+            });
+        }
+    }
+
+    /** Writes the view into the text beside the picture, in which something may be typed that the file does not have. */
+    private void putIntoText(SceneSource source, String text, SceneSettings view) {
+        Path path = source.path() == null ? Path.of(source.name().replaceAll("[<>]", "")) : source.path();
+        writer.execute(() -> {
+            String put = null;
+            String failure = null;
+            try {
+                put = new String(ViewLines.put(text.getBytes(StandardCharsets.UTF_8), path, view, source.reach()),
+                    StandardCharsets.UTF_8);
+            } catch (SceneFormatException e) {
+                failure = "The text is not readable as a scene: " + e.getMessage().lines().findFirst().orElse("");
+            } catch (IOException | RuntimeException | OutOfMemoryError e) {
+                failure = e.toString();
+            }
+            String made = put;
+            String why = failure;
+            SwingUtilities.invokeLater(() -> {
+                if (why != null) {
+                    tell(source.name() + '\n' + why);
+                } else if (picture.source() == source && text.equals(frame.scene().text())) {
+                    tool.release();
+                    frame.scene().replace(made);
+                } else {
+                    frame.say("The text was changed meanwhile: try again");
+                }
+            });
+        });
+    }
+
+    private void saved(FileSource file, SceneSettings view, String failure) {
+        if (failure != null) {
+            tell(file.name() + '\n' + failure);
+            return;
+        }
+        SceneSettings now = picture.source() == file ? tool.view() : null;
+        if (now != null && ViewLines.of(now).equals(ViewLines.of(view))) {
+            tool.adopt();                                     // unless it was moved on meanwhile
+        }
+        frame.say("Saved the view in " + file.name());
+    }
+
+    private void tell(String reason) {
+        JOptionPane.showMessageDialog(frame, reason, TITLE, JOptionPane.ERROR_MESSAGE);
+    }
+
+    /** {@return why the view could not be saved, a line; null if it was} */
+    private static String failure(FileSource file, SceneSettings view) {
+        try {
+            file.save(view);
+            return null;
+        } catch (FileSystemException e) {
+            return e.getReason() != null ? e.getReason() : e.toString();
+        } catch (IOException | RuntimeException | OutOfMemoryError e) {
+            return e.toString();
+        }
+    }
+}

@@ -1,0 +1,106 @@
+package simpleray.ui;
+
+import java.net.URISyntaxException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.security.CodeSource;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.StringJoiner;
+import simpleray.render.RenderRequest;
+import simpleray.render.Stage;
+import simpleray.scene.PerspectiveCamera.Pose;
+import simpleray.scene.Reach;
+import simpleray.scene.SceneSettings;
+
+/** The command line that makes a window's picture without a window. */
+final class CommandWords {
+    private CommandWords() {
+    }
+
+    /**
+     * Says how to make a picture.
+     *
+     * @param scene the scene's file
+     * @param reach which OBJ files it may name
+     * @param name the name of the picture's file
+     * @param request what was asked for; what was not is left to the scene's file, as it was in the window
+     * @return a line for this system's shell
+     */
+    static String line(Path scene, Reach reach, String name, RenderRequest request) {
+        List<String> words = new ArrayList<>(program());
+        words.addAll(render(scene, name, request));
+        if (reach == Reach.ANYWHERE) {
+            words.add("--allow-outside");
+        }
+        boolean windows = System.getProperty("os.name").toLowerCase(Locale.ROOT).startsWith("windows");
+        return windows ? ShellWords.windows(words) : ShellWords.posix(words);
+    }
+
+    /** {@return the words behind the program's name} */
+    static List<String> render(Path scene, String name, RenderRequest request) {
+        List<String> words = new ArrayList<>(List.of("render", scene.toAbsolutePath().toString(), "-o",
+            name.startsWith("-") ? "./" + name : name));
+        SceneSettings asked = request.settings();
+        if (asked.resolution != null) {
+            words.addAll(List.of("--size", asked.resolution.width() + "x" + asked.resolution.height()));
+        }
+        if (request.stage() != Stage.FINAL) {
+            words.addAll(List.of("--stage", request.stage().toString()));
+        }
+        if (asked.depth != null) {
+            words.addAll(List.of("--depth", asked.depth.toString()));
+        }
+        if (request.adaptive() || asked.samples != null) {
+            words.addAll(List.of("--samples", request.adaptive() ? "adaptive" : asked.samples.toString()));
+        }
+        if (asked.cop != null) {
+            words.addAll(List.of("--cop", numbers(asked.cop)));
+        }
+        if (asked.window != null) {
+            words.addAll(List.of("--window",
+                numbers(asked.window.xmin(), asked.window.xmax(), asked.window.ymin(), asked.window.ymax())));
+        }
+        if (asked.camera != null) {
+            Pose pose = asked.camera;
+            words.addAll(List.of("--camera", numbers(pose.ex(), pose.ey(), pose.ez(), pose.lx(), pose.ly(), pose.lz(), pose.fov())));
+        }
+        if (request.region() != null) {
+            words.addAll(List.of("--region", request.region().toString()));
+        }
+        if (asked.background != null) {
+            words.addAll(List.of("--background", numbers(asked.background.r, asked.background.g, asked.background.b)));
+        }
+        return words;
+    }
+
+    private static String numbers(double... values) {
+        StringJoiner all = new StringJoiner(",");
+        for (double value : values) {
+            all.add(value == Math.rint(value) && Math.abs(value) < Integer.MAX_VALUE && Double.doubleToRawLongBits(value) != Long.MIN_VALUE
+                ? Integer.toString((int) value) : Double.toString(value));
+        }
+        return all.toString();
+    }
+
+    /** {@return the words that start this program again} */
+    private static List<String> program() {
+        String packaged = System.getProperty("jpackage.app-path");
+        if (packaged != null) {
+            return List.of(packaged);
+        }
+        CodeSource source = CommandWords.class.getProtectionDomain().getCodeSource();
+        try {
+            Path jar = source == null ? Path.of("") : Path.of(source.getLocation().toURI());
+            if (jar.toString().endsWith(".jar")) {
+                Path script = jar.resolveSibling(Path.of("..", "..", "simpleray")).normalize();   // that of a checkout
+                return Files.isRegularFile(script) && Files.isExecutable(script) ? List.of(script.toString())
+                    : List.of("java", "-jar", jar.toString());
+            }
+        } catch (URISyntaxException | RuntimeException e) {
+            return List.of("simpleray");
+        }
+        return List.of("simpleray");
+    }
+}

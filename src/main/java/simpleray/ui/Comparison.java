@@ -1,0 +1,213 @@
+package simpleray.ui;
+
+import java.awt.BorderLayout;
+import java.awt.event.KeyEvent;
+import java.awt.image.BufferedImage;
+import java.time.LocalTime;
+import java.time.ZoneId;
+import java.util.List;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.TimeUnit;
+import javax.swing.Action;
+import javax.swing.JCheckBoxMenuItem;
+import javax.swing.JMenu;
+import javax.swing.JScrollPane;
+import javax.swing.SwingUtilities;
+import simpleray.image.Picture;
+import simpleray.render.RenderRequest;
+
+/** Looks at finished pictures: compares the last ones, marks clipped pixels, counts the light. For the event thread. */
+final class Comparison {
+    private final ViewerFrame frame;
+    private final History history = new History();
+    private final Late<ComparePane> pane = new Late<>(this::newPane);
+    private final Late<HistogramPane> counted = new Late<>(this::newHistogram);
+    private final JMenu menu = new JMenu("Compare");
+    private final JCheckBoxMenuItem beside = item("Side by Side", "B", this::changeMode);
+    private final JCheckBoxMenuItem wipe = item("Wipe", "W", this::changeMode);
+    private final JCheckBoxMenuItem marks = item("Mark Clipped Pixels", "X", this::mark);
+    private final JCheckBoxMenuItem histogram = item("Histogram", "H", this::showHistogram);
+    private final JCheckBoxMenuItem logarithmic = item("Logarithmic Counts", "L", this::countByLogarithm);
+    private volatile ExecutorService looker;                           // null until there is a picture to look at
+    private JScrollPane place;                                // where the picture is when it is not compared
+    private boolean closed;
+    private Picture seen;
+    private Finished latest;                                  // what was found in it; null until it is
+
+    Comparison(ViewerFrame frame) {
+        this.frame = frame;
+        menu.setMnemonic(KeyEvent.VK_P);
+        menu.add(beside);
+        menu.add(wipe);
+        allow();
+    }
+
+    private JCheckBoxMenuItem item(String name, String key, Runnable task) {
+        Action action = ViewerMenus.action(name, key, task);
+        return new JCheckBoxMenuItem(action);
+    }
+
+    private ComparePane newPane() {
+        ComparePane made = new ComparePane();
+        made.setMarked(marks.isSelected());
+        return made;
+    }
+
+    private HistogramPane newHistogram() {
+        HistogramPane made = new HistogramPane();
+        made.setLogarithmic(logarithmic.isSelected());
+        made.show(latest == null ? null : latest.histogram());
+        return made;
+    }
+
+    JMenu menu() {
+        return menu;
+    }
+
+    /** Adds what shows more of one picture. */
+    void addTo(JMenu view) {
+        view.addSeparator();
+        view.add(marks);
+        view.add(histogram);
+        view.add(logarithmic);
+    }
+
+    /** Looks at the picture if it is another than before. */
+    void refresh() {
+        SimpleRay shown = frame.picture();
+        Picture whole = shown.whole();
+        if (whole == seen || closed) {
+            return;
+        }
+        seen = whole;
+        latest = null;
+        shown.setMarks(null);
+        if (whole != null && Finished.canKeep(whole)) {
+            look(whole, shown.source(), shown.rendering().request(), shown.rendering().seconds());
+        }
+    }
+
+    private void look(Picture picture, SceneSource source, RenderRequest request, double seconds) {
+        if (looker == null) {
+            looker = Executors.newSingleThreadExecutor(task -> {
+                Thread thread = new Thread(task, "simpleray-looking");
+                thread.setDaemon(true);
+                return thread;
+            });
+        }
+        LocalTime now = LocalTime.now(ZoneId.systemDefault());
+        looker.execute(() -> {
+            try {
+                Finished found = new Finished(picture, source, request, seconds, now);
+                SwingUtilities.invokeLater(() -> take(picture, found));
+            } catch (OutOfMemoryError e) {                    // then this one is not compared
+                SwingUtilities.invokeLater(() -> frame.say("The memory is too short to keep the picture for comparing"));
+            }
+        });
+    }
+
+    private void take(Picture picture, Finished found) {
+        history.add(found);
+        if (picture == seen) {
+            latest = found;
+            counted.ifMade(counts -> counts.show(found.histogram()));
+            mark();
+        }
+        if (isComparing()) {
+            pane.get().list(history.pictures());
+        }
+        allow();
+    }
+
+    private void allow() {
+        boolean two = isComparing() || history.pictures().size() > 1;
+        beside.setEnabled(two);
+        wipe.setEnabled(two);
+    }
+
+    private boolean isComparing() {
+        return beside.isSelected() || wipe.isSelected();
+    }
+
+    /** One mode ends the other, and a second press of its key ends it. */
+    private void changeMode() {
+        ComparePane compared = pane.get();
+        boolean wiped = wipe.isSelected() && !(beside.isSelected() && compared.view().isWiped());
+        if (beside.isSelected() && wipe.isSelected()) {       // the other was on until now
+            beside.setSelected(!wiped);
+            wipe.setSelected(wiped);
+        }
+        compared.view().setWiped(wipe.isSelected());
+        if (isComparing() && place == null) {
+            place = (JScrollPane) SwingUtilities.getAncestorOfClass(JScrollPane.class, frame.picture());
+            SwingUtilities.updateComponentTreeUI(compared);       // the look may be another since
+            compared.list(history.pictures());
+            place.setViewportView(compared);
+            compared.view().requestFocusInWindow();
+        } else if (!isComparing() && place != null) {
+            place.setViewportView(frame.picture());
+            place = null;
+            compared.list(List.of());                         // or it would hold two that the machine may want back
+            frame.picture().requestFocusInWindow();
+        }
+        allow();
+    }
+
+    private void mark() {
+        boolean marked = marks.isSelected();
+        pane.ifMade(compared -> compared.setMarked(marked));
+        Finished found = marked && !closed ? latest : null;
+        if (found == null) {
+            frame.picture().setMarks(null);
+            frame.showProgress();                             // in place of what was counted
+        } else {
+            looker.execute(() -> {
+                BufferedImage made = found.marks();
+                SwingUtilities.invokeLater(() -> {
+                    if (found == latest && marks.isSelected()) {
+                        frame.picture().setMarks(made);
+                    }
+                });
+            });
+            Histogram light = found.histogram();
+            frame.say(light.clippedAbove() + " pixels above 1 (magenta), " + light.clippedBelow() + " below 0 (cyan), of "
+                + light.pixels());
+        }
+    }
+
+    private void showHistogram() {
+        if (histogram.isSelected()) {
+            SwingUtilities.updateComponentTreeUI(counted.get());
+            frame.add(counted.get(), BorderLayout.EAST);
+        } else {
+            frame.remove(counted.get());
+        }
+        frame.validate();
+        frame.repaint();
+    }
+
+    private void countByLogarithm() {
+        counted.ifMade(counts -> counts.setLogarithmic(logarithmic.isSelected()));
+    }
+
+    /** {@return the pictures that can be compared, the latest last} */
+    List<Finished> pictures() {
+        return history.pictures();
+    }
+
+    /** Ends the looking. */
+    void close() {
+        closed = true;
+        if (looker != null) {
+            looker.shutdownNow();
+        }
+    }
+
+    /** Waits until nothing is looked at; not for the event thread. */
+    void await() throws InterruptedException {
+        if (looker != null) {
+            looker.awaitTermination(Long.MAX_VALUE, TimeUnit.NANOSECONDS);
+        }
+    }
+}

@@ -1,0 +1,172 @@
+package simpleray.ui;
+
+import java.awt.Toolkit;
+import java.awt.datatransfer.StringSelection;
+import java.awt.datatransfer.Transferable;
+import java.awt.event.WindowAdapter;
+import java.awt.event.WindowEvent;
+import javax.swing.Action;
+import javax.swing.JComponent;
+import javax.swing.JMenu;
+import javax.swing.KeyStroke;
+import javax.swing.SwingUtilities;
+import simpleray.image.Picture;
+import simpleray.render.RenderRequest;
+
+/** What a desktop's users expect beside opening and saving: recent scenes, copies, a chosen look, help. */
+final class DesktopActions {
+    /** An action's further key, beside that which its menu shows. */
+    static final String ALSO = "simpleray.also";
+
+    private final ViewerFrame frame;
+    private final Action copyPicture;
+    private final Action copyCommand;
+    private final RecentMenu recent;
+    private final LookMenu look;
+    private final HelpMenu help;
+    private final Preferences preferences;
+    private final Comparison comparison;
+    private WindowPlace place;
+    private volatile Thread icon;                             // makes the window's icon; null before
+    private volatile Thread copying;                          // a picture to the clipboard; null if none was
+    private Made made;
+
+    /** What is shown, and what made it; the picture is null if only a region of it was made. */
+    private record Made(Picture picture, SceneSource source, RenderRequest request) {
+    }
+
+    DesktopActions(ViewerFrame frame, Preferences preferences, Look look) {
+        this.frame = frame;
+        this.preferences = preferences;
+        this.look = new LookMenu(frame, preferences, look);
+        copyPicture = ViewerMenus.action("Copy Picture", "control C", this::copyPicture);
+        copyCommand = ViewerMenus.action("Copy Command Line", "control shift L", this::copyCommand);
+        recent = new RecentMenu(frame, preferences);
+        help = new HelpMenu(frame);
+        comparison = new Comparison(frame);
+        frame.setTransferHandler(new SceneDrop(frame));
+    }
+
+    /** Puts the window, whose size is known by now, where it was. */
+    void placeWindow() {
+        place = new WindowPlace(frame, preferences);
+        frame.addWindowListener(new WindowAdapter() {
+            @Override
+            public void windowOpened(WindowEvent e) {
+                icon = ProgramIcon.set(frame);
+            }
+        });
+    }
+
+    /** Adds what belongs below File &gt; Open. */
+    void addOpening(JMenu file) {
+        file.add(recent);
+    }
+
+    /** Adds what belongs below File &gt; Save. */
+    void addCopying(JMenu file) {
+        file.add(copyPicture);
+        file.add(copyCommand);
+    }
+
+    JMenu lookMenu() {
+        return look.menu();
+    }
+
+    Comparison comparison() {
+        return comparison;
+    }
+
+    JMenu helpMenu() {
+        return help.menu();
+    }
+
+    /** Gives an action a second key. */
+    void addKey(Action action, String key) {
+        KeyStroke stroke = KeyStroke.getKeyStroke(key);
+        action.putValue(ALSO, stroke);
+        frame.getRootPane().getInputMap(JComponent.WHEN_IN_FOCUSED_WINDOW).put(stroke, action);
+        frame.getRootPane().getActionMap().put(action, action);
+    }
+
+    /** Notes that a scene is opened. */
+    void opened(SceneSource source) {
+        recent.opened(source);
+    }
+
+    /** Enables what can be done now. */
+    void refresh() {
+        SimpleRay shown = frame.picture();
+        Picture whole = shown.whole();
+        Rendering rendering = shown.rendering();
+        if (whole != null) {
+            if (made == null || made.picture != whole) {
+                made = new Made(whole, shown.source(), rendering.request());
+            }
+        } else if (rendering != null && rendering.isAlone() && rendering.state() == Rendering.State.FINISHED && !shown.isBusy()) {
+            made = new Made(null, shown.source(), rendering.request().with(rendering.region()));
+        } else {
+            made = null;
+        }
+        comparison.refresh();
+        copyPicture.setEnabled(made != null && made.picture != null);
+        copyCommand.setEnabled(made != null && made.source instanceof FileSource);   // a text that is in no file cannot be named
+    }
+
+    /** Takes notice that a text was saved after it was rendered. */
+    void saved(SceneSource text, SceneSource file) {
+        if (made != null && made.source == text) {
+            made = new Made(made.picture, file, made.request);
+            refresh();
+        }
+    }
+
+    private void copyPicture() {
+        Picture picture = made.picture;
+        copying = new Thread(() -> {                          // a large one takes longer than a window may stand still
+            try {
+                CopiedPicture copied = CopiedPicture.of(picture);
+                SwingUtilities.invokeLater(() -> copy(copied, "Copied the picture"));
+            } catch (OutOfMemoryError e) {
+                SwingUtilities.invokeLater(() -> frame.say("The memory is too short to copy the picture"));
+            }
+        }, "simpleray-copying");
+        copying.setDaemon(true);
+        copying.start();
+    }
+
+    private void copyCommand() {
+        SceneSource scene = made.source;
+        String line = CommandWords.line(scene.path(), scene.reach(), PictureDialogs.pictureName(scene), made.request);
+        copy(new StringSelection(line), "Copied the command line");
+    }
+
+    private void copy(Transferable copied, String done) {
+        try {
+            Toolkit.getDefaultToolkit().getSystemClipboard().setContents(copied, null);
+            frame.say(done);
+        } catch (IllegalStateException e) {                   // another program holds it just now
+            frame.say("The clipboard is not free just now: try again");
+        }
+    }
+
+    /** Notes what is to be remembered of the window. */
+    void close() {
+        comparison.close();
+        look.close();
+        place.remember();
+        preferences.close();
+    }
+
+    /** Waits until it is written, and until all threads have ended; not for the event thread. */
+    void await() throws InterruptedException {
+        comparison.await();
+        look.await();
+        for (Thread own : new Thread[] {icon, copying}) {
+            if (own != null) {
+                own.join();
+            }
+        }
+        preferences.await();
+    }
+}

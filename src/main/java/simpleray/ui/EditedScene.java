@@ -1,0 +1,347 @@
+package simpleray.ui;
+
+import java.io.File;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.Collectors;
+import javax.swing.Action;
+import simpleray.text.Problem;
+
+/**
+ * The text of the window's scene between its file and the editor: reads it, renders it, writes it, and sees to it that nothing is lost
+ * where the two differ. For the event thread, but for await.
+ */
+final class EditedScene {
+    private static final String CONFLICT = "conflict";
+    private static final String TEXT = "text";
+
+    private final ViewerFrame frame;
+    private final SceneDisk disk = new SceneDisk();
+    private SceneSource source = SceneSource.NONE;
+    private SceneEditor editor;                               // null until it is asked for
+    private boolean shown;
+    private SceneText saved;                                  // as the file has it; null until it was read
+    private byte[] bytes;                                     // the file's; null if there is none
+    private SceneDisk.Answer other;                           // what another program wrote while there are unsaved changes
+    private boolean changed;
+    private SceneSource own;                                  // of the text that was rendered without saving it
+    private String ownText;
+
+    EditedScene(ViewerFrame frame) {
+        this.frame = frame;
+    }
+
+    /** Takes another scene; the text of the one before is let go. */
+    void open(SceneSource opened) {
+        source = opened;
+        saved = null;
+        bytes = null;
+        resolve();
+        if (editor != null) {
+            editor.begin("");
+            editor.area().setEnabled(false);
+        }
+        if (shown && source != SceneSource.NONE) {
+            read(() -> { });
+        }
+        refresh();
+    }
+
+    /** {@return whether the text is shown} */
+    boolean isShown() {
+        return shown;
+    }
+
+    /** {@return whether there is something that the file does not hold} */
+    boolean isChanged() {
+        return changed;
+    }
+
+    /** {@return the editor; null until it is asked for} */
+    SceneEditor editor() {
+        return editor;
+    }
+
+    /** Shows the text or hides it; what was changed in it stays. */
+    void toggle() {
+        if (shown) {
+            shown = false;
+            frame.banner().hide(TEXT);
+            frame.showBeside(null);
+            frame.picture().requestFocusInWindow();
+        } else {
+            show(() -> editor.area().requestFocusInWindow());
+        }
+    }
+
+    /** Shows the text, and then does something with it, unless it cannot be had. */
+    private void show(Runnable then) {
+        if (source == SceneSource.NONE) {
+            return;
+        }
+        if (editor == null) {
+            editor = new SceneEditor(this::refresh);
+            editor.area().setEnabled(false);
+        }
+        if (!shown) {
+            shown = true;
+            frame.showBeside(editor);
+        }
+        if (saved == null) {
+            read(then);
+        } else {
+            then.run();
+        }
+    }
+
+    private void read(Runnable then) {
+        SceneSource asked = source;
+        disk.read(asked, answer -> {
+            if (source != asked) {
+                return;
+            }
+            if (answer.failure() != null || answer.bytes() == null && asked.path() == null) {
+                frame.banner().show(TEXT, answer.failure() != null ? answer.failure() : "This scene has no text");
+                return;
+            }
+            if (saved == null) {
+                take(answer);
+                editor.begin(saved.text());
+                editor.area().setEnabled(true);
+                refresh();
+            }
+            markProblems(frame.picture().rendering());
+            then.run();
+        });
+    }
+
+    private void take(SceneDisk.Answer answer) {
+        bytes = answer.bytes();
+        saved = SceneText.of(bytes == null ? new byte[0] : bytes);
+        resolve();
+    }
+
+    /** Does what is to be done when the scene's file, or a mesh of it, has changed. */
+    void fileChanged() {
+        if (!changed) {
+            frame.reload(source);
+        }
+        if (saved == null) {
+            return;
+        }
+        SceneSource asked = source;
+        disk.read(asked, answer -> {
+            if (source != asked || saved == null) {
+                return;
+            }
+            if (answer.failure() != null || answer.bytes() == null) {
+                frame.say(answer.failure() == null ? "The text is the last one read" : answer.failure());
+            } else if (Arrays.equals(answer.bytes(), bytes)) {
+                resolve();
+                if (changed) {                                // then it was a mesh
+                    frame.reload(frame.picture().source());
+                }
+            } else if (changed && !editor.holds(SceneText.of(answer.bytes()).text())) {
+                conflict(answer);
+            } else {
+                take(answer);
+                editor.area().replaceAll(saved.text());
+                refresh();
+                markProblems(frame.picture().rendering());
+            }
+        });
+    }
+
+    /** Asks which text is to stay: the one in the editor or the file's. */
+    private void conflict(SceneDisk.Answer answer) {
+        other = answer;
+        Action reload = ViewerMenus.action("Reload", null, () -> {
+            take(other);
+            editor.area().replaceAll(saved.text());           // what is lost by this can be undone
+            refresh();
+            frame.reload(source);
+        });
+        reload.putValue(Action.MNEMONIC_KEY, (int) 'L');
+        reload.putValue(Action.SHORT_DESCRIPTION, "Take the file's text; Undo brings yours back");
+        Action keep = ViewerMenus.action("Keep Mine", null, () -> {
+            take(other);
+            refresh();
+            editor.area().requestFocusInWindow();
+        });
+        keep.putValue(Action.MNEMONIC_KEY, (int) 'K');
+        keep.putValue(Action.SHORT_DESCRIPTION, "Go on with the text in the editor; Save Scene then writes it over the file's");
+        frame.banner().show(CONFLICT, name() + " was changed by another program, and has unsaved changes here", reload, keep);
+    }
+
+    private void resolve() {
+        other = null;
+        frame.banner().hide(CONFLICT);
+        frame.banner().hide(TEXT);
+    }
+
+    /** Renders the text as it is, without saving it. */
+    void render() {
+        if (saved == null) {
+            frame.render();
+            return;
+        }
+        ownText = editor.text();
+        byte[] text = ownText.getBytes(StandardCharsets.UTF_8);
+        own = source.edited(text);
+        frame.render(own);
+    }
+
+    /** {@return the text as it is in the editor; null if it was not read} */
+    String text() {
+        return saved == null ? null : editor.text();
+    }
+
+    /** Takes a text that something of this program has made of the one in the editor; it is saved if that one was. */
+    void replace(String text) {
+        boolean clean = !changed;
+        editor.area().replaceAll(text);
+        if (clean && source.path() != null) {
+            save();
+        } else {
+            render();
+        }
+    }
+
+    /** Writes the text into the scene's file. */
+    void save() {
+        save(() -> { });
+    }
+
+    /** Writes the text, and does something when it is written. */
+    private void save(Runnable then) {
+        if (saved == null) {
+            return;
+        }
+        if (source.path() == null) {
+            saveElsewhere(then);
+            return;
+        }
+        SceneSource asked = source;
+        String text = editor.text();
+        SceneText before = saved;
+        disk.write(source.path(), false, bytes, () -> before.bytes(text), frame::wroteScene, answer -> {
+            if (source != asked) {
+                return;
+            }
+            if (answer.other()) {
+                conflict(answer);
+                frame.say(name() + " was not saved");
+            } else if (answer.failure() != null) {
+                SceneDialogs.failed(frame, source.path(), answer.failure());
+            } else {
+                take(answer);
+                refresh();
+                if (frame.picture().source() == own && text.equals(ownText)) {
+                    frame.picture().setSource(source);
+                    frame.desktop().saved(own, source);
+                    frame.say("Saved " + source.path());
+                } else {
+                    frame.render(source);
+                }
+                then.run();
+            }
+        });
+    }
+
+    /** Asks where to write a scene that came by standard input. */
+    private void saveElsewhere(Runnable then) {
+        Path path = SceneDialogs.target(frame);
+        if (path == null) {
+            return;
+        }
+        String text = editor.text();
+        SceneText before = saved;
+        disk.write(path, true, null, () -> before.bytes(text), () -> { }, answer -> {
+            if (answer.failure() != null) {
+                SceneDialogs.failed(frame, path, answer.failure());
+            } else {
+                changed = false;
+                frame.open(SceneSource.file(path, source.reach()));
+                then.run();
+            }
+        });
+    }
+
+    /** Does something that would lose what is not saved, after it was saved or may be lost; does nothing if the user would rather not. */
+    void leave(Runnable then) {
+        if (!changed) {
+            then.run();
+            return;
+        }
+        int answer = SceneDialogs.unsaved(frame, name());
+        if (answer == SceneDialogs.SAVE) {
+            save(then);
+        } else if (answer == SceneDialogs.DISCARD) {
+            forget();
+            then.run();
+        }
+    }
+
+    /** Takes what is not saved for lost: nobody is asked about it any more. */
+    void forget() {
+        changed = false;
+    }
+
+    /** Shows the text and asks what to find in it. */
+    void find() {
+        show(() -> editor.find());
+    }
+
+    /** Marks what a rendering found wrong, if its text is the one in the editor. */
+    void markProblems(Rendering rendering) {
+        if (saved == null || rendering == null || rendering.state() == Rendering.State.READING) {
+            return;
+        }
+        if (rendering.source() == own ? editor.holds(ownText) : rendering.source() == source && !changed) {
+            String name = source.name();
+            editor.mark(rendering.places().stream().filter(problem -> problem.file().equals(name)).collect(Collectors.toList()));
+        }
+    }
+
+    /** Shows the place of a problem; that of one in a mesh is where the scene names the mesh. */
+    void goTo(Problem problem) {
+        show(() -> {
+            if (problem.file().equals(source.name())) {
+                editor.goTo(problem.line(), problem.column());
+                return;
+            }
+            frame.say("The problem is in " + problem.file() + ", line " + problem.line() + ", column " + problem.column());
+            int named = source.path() == null ? -1 : MeshNames.placeOf(problem.file(), editor.text(), source.path());
+            if (named >= 0) {
+                editor.area().setCaretPosition(named);
+                editor.area().requestFocusInWindow();
+            }
+        });
+    }
+
+    /** {@return the problems of the text that are marked, for those who look from outside} */
+    List<String> marked() {
+        return editor == null ? List.of() : editor.area().marked();
+    }
+
+    private String name() {
+        return new File(source.name()).getName();
+    }
+
+    private void refresh() {
+        changed = saved != null && !editor.holds(saved.text());
+        frame.refreshTitle();
+    }
+
+    /** Ends the editing; a text that is being written still is. */
+    void close() {
+        disk.close();
+    }
+
+    /** Waits until all is written; not for the event thread. */
+    void await() throws InterruptedException {
+        disk.await();
+    }
+}

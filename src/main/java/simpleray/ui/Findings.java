@@ -1,0 +1,45 @@
+package simpleray.ui;
+
+import java.io.IOException;
+import java.nio.file.FileSystemException;
+import java.util.List;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import simpleray.render.SceneWarnings;
+import simpleray.scene.SceneFile;
+import simpleray.text.Problem;
+import simpleray.text.SceneFormatException;
+
+/**
+ * What was found wrong with a scene. <em>Constant.</em>
+ *
+ * @param text the whole report; empty for nothing
+ * @param places what of it has a place; each stands as it is in the text
+ */
+record Findings(String text, List<Problem> places) {
+    /** Nothing is wrong. */
+    static final Findings NONE = new Findings("", List.of());
+
+    /** {@return warnings, or errors} */
+    static Findings of(List<Problem> problems) {
+        return new Findings(problems.stream().map(Problem::toString).collect(Collectors.joining("\n")), problems);
+    }
+
+    /** {@return the warnings about a scene, and what is odd about its picture} Follows rays: not for the event thread. */
+    static Findings ofWhole(SceneFile scene, String name) {
+        return of(Stream.concat(scene.warnings().stream(), SceneWarnings.striking(scene, name).stream()).toList());
+    }
+
+    /** {@return why a scene could not be read} */
+    static Findings of(IOException failure, String name) {
+        if (failure instanceof SceneFormatException bad) {    // its message is the whole report
+            return new Findings(bad.getMessage(), bad.problems());
+        }
+        boolean named = failure instanceof FileSystemException;
+        return new Findings(named ? name + ": " + ((FileSystemException) failure).getReason() : failure.getMessage(), List.of());
+    }
+
+    boolean isEmpty() {
+        return text.isEmpty();
+    }
+}

@@ -1,0 +1,48 @@
+package simpleray.ui;
+
+import java.awt.event.KeyEvent;
+import java.util.List;
+import javax.swing.Action;
+import javax.swing.JCheckBoxMenuItem;
+import javax.swing.JMenu;
+
+/** What can be done with the scene's text, and with its problems. */
+final class SceneMenu {
+    private final JMenu menu = new JMenu("Scene");
+    private final JCheckBoxMenuItem text;
+    private final EditedScene scene;
+    private final List<Action> all;
+
+    SceneMenu(ViewerFrame frame) {
+        scene = frame.scene();
+        menu.setMnemonic(KeyEvent.VK_N);
+        text = new JCheckBoxMenuItem(ViewerMenus.action("Scene Text", "control E", scene::toggle));
+        Action render = ViewerMenus.action("Render Text", "control ENTER", scene::render);
+        Action save = ViewerMenus.action("Save Scene", "control shift S", scene::save);
+        Action find = ViewerMenus.action("Find in Text\u2026", "control F", scene::find);
+        Action next = ViewerMenus.action("Next Problem", "F4", () -> frame.stepProblem(1));
+        Action previous = ViewerMenus.action("Previous Problem", "shift F4", () -> frame.stepProblem(-1));
+        menu.add(render);
+        menu.add(save);
+        menu.addSeparator();
+        menu.add(find);
+        menu.add(next);
+        menu.add(previous);
+        all = List.of(text.getAction(), render, save, find, next, previous);
+    }
+
+    JMenu menu() {
+        return menu;
+    }
+
+    /** {@return the item that shows and hides the text} */
+    JCheckBoxMenuItem text() {
+        return text;
+    }
+
+    /** Enables what can be done now, and ticks what is shown. */
+    void refresh(boolean opened) {
+        all.forEach(action -> action.setEnabled(opened));
+        text.setSelected(scene.isShown());
+    }
+}

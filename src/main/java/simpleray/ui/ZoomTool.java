@@ -1,0 +1,95 @@
+package simpleray.ui;
+
+import java.awt.Point;
+import java.awt.event.ActionEvent;
+import java.awt.event.InputEvent;
+import java.awt.event.MouseWheelEvent;
+import java.util.Locale;
+import java.util.function.Supplier;
+import javax.swing.AbstractAction;
+import javax.swing.Action;
+import javax.swing.ButtonGroup;
+import javax.swing.JComponent;
+import javax.swing.JMenu;
+import javax.swing.JRadioButtonMenuItem;
+import javax.swing.JScrollPane;
+import javax.swing.KeyStroke;
+import javax.swing.SwingUtilities;
+
+/** Brings the picture closer and back: by the wheel with Ctrl about the cursor, by keys and the View menu about the middle. */
+final class ZoomTool {
+    /** A picture of other layouts and of the number pad is reached by these too; the menu shows the first. */
+    private static final String[] IN = {"control PLUS", "control EQUALS", "control shift EQUALS", "control shift PLUS", "control ADD"};
+    private static final String[] OUT = {"control MINUS", "control SUBTRACT"};
+    private static final String[] ACTUAL = {"control 0", "control NUMPAD0"};
+
+    private final ZoomedComponent picture;
+    private double turned;                                    // of the wheel, in notches, until it makes a step
+
+    ZoomTool(ZoomedComponent picture) {
+        this.picture = picture;
+        picture.addMouseWheelListener(this::wheel);
+    }
+
+    /** Adds the zoom's items to a menu. */
+    void addTo(JMenu menu) {
+        ButtonGroup one = new ButtonGroup();
+        JRadioButtonMenuItem actual = new JRadioButtonMenuItem(action("Actual Size", () -> Zoom.ACTUAL, ACTUAL));
+        JRadioButtonMenuItem fit = new JRadioButtonMenuItem(action("Fit to Window", () -> Zoom.FIT, "F"));
+        one.add(actual);
+        one.add(fit);
+        actual.setSelected(true);
+        picture.addPropertyChangeListener(ZoomedComponent.ZOOM, e -> {
+            one.clearSelection();                             // at another scale it is neither
+            actual.setSelected(picture.zoom().equals(Zoom.ACTUAL));
+            fit.setSelected(picture.zoom().fitted());
+        });
+        scrollWithControl();
+        menu.add(actual);
+        menu.add(fit);
+        menu.add(action("Zoom In", () -> picture.zoom().in(picture.placed().scale()), IN));
+        menu.add(action("Zoom Out", () -> picture.zoom().out(picture.placed().scale()), OUT));
+    }
+
+    /** The arrows alone move the camera. */
+    private void scrollWithControl() {
+        JScrollPane pane = (JScrollPane) SwingUtilities.getAncestorOfClass(JScrollPane.class, picture);
+        for (String way : new String[] {"Left", "Right", "Up", "Down"}) {
+            pane.getInputMap(JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT)
+                .put(KeyStroke.getKeyStroke("control " + way.toUpperCase(Locale.ROOT)), "unitScroll" + way);
+        }
+    }
+
+    private Action action(String name, Supplier<Zoom> other, String... keys) {
+        Action action = new AbstractAction(name) {
+            private static final long serialVersionUID = 1L;
+
+            @Override
+            public void actionPerformed(ActionEvent e) {
+                picture.setZoom(other.get(), null);
+            }
+        };
+        action.putValue(Action.ACCELERATOR_KEY, KeyStroke.getKeyStroke(keys[0]));
+        for (int i = 1; i < keys.length; i++) {
+            picture.getInputMap(JComponent.WHEN_IN_FOCUSED_WINDOW).put(KeyStroke.getKeyStroke(keys[i]), name);
+            picture.getActionMap().put(name, action);
+        }
+        return action;
+    }
+
+    private void wheel(MouseWheelEvent e) {
+        if ((e.getModifiersEx() & InputEvent.CTRL_DOWN_MASK) == 0) {
+            return;
+        }
+        e.consume();
+        turned += e.getPreciseWheelRotation();                // of a touchpad many small turns make a step
+        Point about = e.getPoint();
+        while (Math.abs(turned) >= 1) {
+            double now = picture.placed().scale();
+            Point before = picture.getLocation();
+            picture.setZoom(turned < 0 ? picture.zoom().in(now) : picture.zoom().out(now), about);
+            about.translate(before.x - picture.getX(), before.y - picture.getY());
+            turned -= Math.signum(turned);
+        }
+    }
+}

@@ -1,0 +1,84 @@
+package simpleray.accel;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import simpleray.RandomScenes;
+import simpleray.math.Colour;
+import simpleray.math.Point;
+import simpleray.math.Ray;
+import simpleray.math.Vector;
+import simpleray.scene.RayTracer;
+import simpleray.scene.Scene;
+import simpleray.scene.SimpleCamera;
+import simpleray.scene.Terms;
+
+/** The engine's colours are the thesis's loop's, bit for bit. */
+class EngineTest {
+    private static final long SEED = 19860101;
+    private static final int SCENES = 10_000;
+    private static final int SIDE = 6;
+    private static final int DEPTH = 3;
+
+    @TempDir
+    Path folder;
+
+    @ParameterizedTest
+    @EnumSource
+    void everyWayToTheObjectsFindsTheColoursOfTheLoop(Engine.Kind kind) {
+        RandomScenes scenes = new RandomScenes(SEED + kind.ordinal(), folder);
+        int lit = 0;
+        for (int i = 0; i < SCENES / 2; i++) {
+            Scene scene = scenes.next(i % 20 == 0 ? 100 : 25);
+            SimpleCamera camera = new SimpleCamera(SIDE, SIDE);
+            if (i % 3 == 0) {
+                camera.setCOP(Math.pow(10, i % 7));
+            }
+            RayTracer worker = new Engine(scene, camera.ray(0, 0).origin, 1, kind, i % 2 == 0).worker();
+            for (int p = 0; p < SIDE * SIDE; p++) {
+                lit += same(scene, worker, camera.ray(p % SIDE, p / SIDE),
+                    "seed " + (SEED + kind.ordinal()) + ", scene " + i + ", pixel " + p);
+            }
+        }
+        assertThat(lit).as("rays that hit something").isGreaterThan(SCENES * SIDE);
+    }
+
+    private static int same(Scene scene, RayTracer worker, Ray ray, String where) {
+        Colour expected = new Colour();
+        Colour actual = new Colour();
+        boolean hit = scene.intersect(ray, expected, DEPTH, Terms.ALL);
+        assertThat(worker.intersect(ray, actual, DEPTH, Terms.ALL)).as(where).isEqualTo(hit);
+        if (expected.r != actual.r || expected.g != actual.g || expected.b != actual.b) {
+            assertThat(actual).as(where).hasToString(expected.toString());
+        }
+        return hit ? 1 : 0;
+    }
+
+    @Test
+    void raysFromFarAwayAndInAnyDirectionFindTheSame() {
+        RandomScenes scenes = new RandomScenes(SEED, folder);
+        java.util.Random random = new java.util.Random(SEED);
+        for (int i = 0; i < 600; i++) {
+            Scene scene = scenes.next(60);
+            Engine.Kind kind = Engine.Kind.values()[i % 3];
+            RayTracer worker = new Engine(scene, new Point(), 1, kind, true).worker();
+            for (int k = 0; k < 40; k++) {
+                double far = Math.pow(10, random.nextInt(12) - 3);
+                Vector from = new Vector(random.nextGaussian(), random.nextGaussian(), random.nextGaussian());
+                from.normalise();
+                Vector to = Vector.scale(from, -far);
+                to.add(new Vector(random.nextGaussian(), random.nextGaussian(), random.nextGaussian()));
+                to.normalise();
+                if (k % 5 == 0) {
+                    to = new Vector(k % 3 == 0 ? 1 : 0, k % 3 == 1 ? -1 : 0, k % 3 == 2 ? 1 : 0);
+                }
+                same(scene, worker, new Ray(new Point(far * from.x, far * from.y, far * from.z), to),
+                    "seed " + SEED + ", scene " + i + ", ray " + k);
+            }
+        }
+    }
+}

@@ -1,0 +1,25 @@
+package simpleray.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class BenchTest {
+    @TempDir
+    Path folder;
+
+    @Test
+    void benchMeasuresRaysGrowthThreadsAndPictures() throws IOException, InterruptedException {
+        Program.Result result = Program.run(folder, "bench", "--quick");
+
+        assertThat(result.exitCode()).as(result.err()).isZero();
+        assertThat(result.err()).isEmpty();
+        assertThat(result.text()).containsPattern("(?m)^primary +1600 +").containsPattern("(?m)^shadow +\\d+ +")
+            .containsPattern("(?m)^ +100 +[0-9.]+ +[0-9.]+ +\\d+ ").containsPattern("(?m)^ +1000 +[0-9.]+ +[0-9.]+ +\\d+ ")
+            .containsPattern("grows as the number of spheres to the power of -?[0-9.]+").containsPattern("(?m)^ +1 +[0-9.]+ +1\\.00$")
+            .containsPattern("\\d+ pictures a second");
+    }
+}

@@ -1,0 +1,174 @@
+package simpleray.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import simpleray.Project;
+import simpleray.image.Picture;
+import simpleray.render.RenderListener;
+import simpleray.render.RenderSettings;
+import simpleray.render.Renderer;
+import simpleray.scene.Scene;
+import simpleray.scene.SceneFile;
+import simpleray.scene.SimpleCamera;
+
+/** {@code explain}: why a pixel has its colour. */
+class ExplainTest {
+    private static final String WALL = "1\n1 0 0 1 -2  0.5 1 0.25  1 1 1  0 0 0  1\n1 1 1\n1\n1  1 0.5 0  0 0 1\n";
+    private static final Pattern COLOUR = Pattern.compile("\"colour\":\\[([^]]*)]");
+
+    @TempDir
+    Path folder;
+
+    @Test
+    void theStoryIsPrintedAsText() {
+        Program.Result result = InProcess.runWithInput(WALL, "explain", "-", "--pixel", "0,0", "--size", "1x1");
+
+        assertThat(result.text()).isEqualTo("""
+            pixel 0,0 of 1x1, stage final: 0.5 1 0.25, levels 128 255 64
+              sample at 0.5,0.5: 0.5 1 0.25
+                ray from (0 0 2) along (0 0 -1), depth 10: 0.5 1 0.25
+                  hits object 1 (plane, line 2) at distance 4
+                    point (0 0 -2), normal (0 0 1), going in
+                  ambient: 0.5 1 0.25
+                    Ka 0.5 1 0.25, GA 1 1 1
+                  light 1 (directional light, line 5): 0 0 0
+                    the surface is turned away from it
+                    LC 1 0.5 0
+                    L (0 0 -1), N.L -1
+                    H (0 0 0), N.H 0
+                    diffuse 0 0 0, Kd 1 1 1
+                    specular 0 0 0, Ks 0 0 0, shininess 1
+                  diffuse of all lights: 0 0 0
+                  specular of all lights: 0 0 0
+                  sum: 0.5 1 0.25
+            """);
+        assertThat(result.err()).isEmpty();
+        assertThat(result.exitCode()).isZero();
+    }
+
+    @Test
+    void theStoryIsPrintedAsOneJsonObject() {
+        String scene = "2\n1 0 0 1 -2  0.1 0.1 0.1  1 1 1  0.5 0.5 0.5  2\n"
+            + "0 0 0 4 1  0 0 0  0 0 0  0 0 0  1  transmit 0.5 0.5 0.5 1.5\n1 1 1\n2\n0  1 1 1  0 0 8\n1  1 0.5 0  0 0 1\n";
+        Program.Result result = InProcess.runWithInput(scene, "explain", "-", "--pixel", "0,0", "--size", "1x1", "--depth", "1",
+            "--format", "JSON");
+
+        assertThat(result.text()).isEqualTo(json("{'x':0,'y':0,'width':1,'height':1,'stage':'final',")
+            + json("'colour':[0.85,0.85,0.85],'levels':[217,217,217],")
+            + json("'mean':false,'samples':[{'at':[0.5,0.5],'clamped':false,'colour':[0.85,0.85,0.85],'ray':{'origin':[0.0,0.0,2.0],")
+            + json("'direction':[0.0,0.0,-1.0],'depth':1,'told':true,'colour':[0.85,0.85,0.85],'hit':{'number':1,'kind':'plane','line':2,")
+            + json("'distance':4.0,'point':[0.0,0.0,-2.0],'normal':[0.0,0.0,1.0],'enters':true,")
+            + json("'material':{'Ka':[0.1,0.1,0.1],'Kd':[1.0,1.0,1.0],")
+            + json("'Ks':[0.5,0.5,0.5],'shininess':2.0,'Kt':[0.0,0.0,0.0],")
+            + json("'index':1.0},'GA':[1.0,1.0,1.0],'ambient':[0.1,0.1,0.1],'lights':[")
+            + json("{'number':1,'kind':'point light','line':6,'LC':[1.0,1.0,1.0],'distance':10.0,")
+            + json("'L':[0.0,0.0,1.0],'N.L':1.0,'H':[0.0,0.0,1.0],'N.H':1.0,'verdict':'dimmed',")
+            + json("'between':[{'number':2,'kind':'sphere','line':3,'Kt':[0.5,0.5,0.5]}],'arriving':[0.5,0.5,0.5],")
+            + json("'diffuse':[0.5,0.5,0.5],'specular':[0.25,0.25,0.25]},")
+            + json("{'number':2,'kind':'directional light','line':7,'LC':[1.0,0.5,0.0],'distance':null,'L':[-0.0,-0.0,-1.0],'N.L':-1.0,")
+            + json("'H':[-0.0,-0.0,0.0],'N.H':0.0,'verdict':'turned away','between':[],'arriving':[0.0,0.0,0.0],'diffuse':[0.0,0.0,0.0],")
+            + json("'specular':[0.0,0.0,0.0]}],'diffuse':[0.5,0.5,0.5],'specular':[0.25,0.25,0.25],'mirror':{'share':[0.5,0.5,0.5],")
+            + json("'colour':[0.0,0.0,0.0],'ray':{'origin':[0.0,0.0,-2.0],'direction':[0.0,0.0,1.0],'depth':0,")
+            + json("'told':true,'colour':[0.0,0.0,0.0],")
+            + json("'hit':{'number':2,'kind':'sphere','line':3,")
+            + result.text().substring(result.text().indexOf("\"distance\":5.0")));
+        assertThat(result.text()).endsWith("\"mirror\":null,\"refracted\":null}}},\"refracted\":null}}}]}\n");
+    }
+
+    private static String json(String singleQuoted) {
+        return singleQuoted.replace('\'', '"');
+    }
+
+    @ParameterizedTest
+    @CsvSource({"100,120", "60,150", "199,0", "140,125"})
+    void theColourIsThatOfTheRenderedPictureToTheLastBit(int x, int y) throws IOException {
+        Scene scene = SceneFile.read(Project.scene("thesis")).scene();
+        double[] row = new Renderer(scene, new SimpleCamera(200, 200), new RenderSettings()).render(RenderListener.NONE).row(y);
+
+        String json = InProcess.run("explain", Project.scene("thesis").toString(), "--pixel", x + "," + y, "--format", "json").text();
+
+        Matcher colour = COLOUR.matcher(json);
+        assertThat(colour.find()).isTrue();
+        assertThat(List.of(colour.group(1).split(",")).stream().map(Double::valueOf).collect(Collectors.toList()))
+            .containsExactly(row[3 * x], row[3 * x + 1], row[3 * x + 2]);
+        assertThat(json).contains("\"levels\":[" + Picture.level(row[3 * x]) + ',' + Picture.level(row[3 * x + 1]) + ','
+            + Picture.level(row[3 * x + 2]) + ']');
+    }
+
+    @Test
+    void anOptionCountsAsForRenderAndTheSceneFilesOwnSettingsElse() {
+        String scene = WALL + "resolution 3 2\nsamples 2\ndepth 7\n";
+
+        String own = InProcess.runWithInput(scene, "explain", "-", "--pixel", "2,1").text();
+        String asked = InProcess.runWithInput(scene, "explain", "-", "--pixel", "2,1", "--size", "5x4", "--samples", "1", "--depth", "3",
+            "--stage", "Normals", "--accel", "none").text();
+
+        assertThat(own).startsWith("pixel 2,1 of 3x2, stage final: 0.5 1 0.25, levels 128 255 64\n  the mean of 4 samples")
+            .contains(", depth 7: ");
+        assertThat(asked).startsWith("pixel 2,1 of 5x4, stage normals: 0.5 0.5 1, levels 128 128 255\n  sample at 2.5,1.5: 0.5 0.5 1\n")
+            .contains(", depth 3: ");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"1,0", "0,1", "7,9"})
+    void aPixelOutsideThePictureIsWrongUsage(String pixel) {
+        Program.Result result = InProcess.runWithInput(WALL, "explain", "-", "--pixel", pixel, "--size", "1x1");
+
+        assertThat(result.err()).isEqualTo("simpleray explain: the pixel " + pixel
+            + " is outside the picture of 1x1, whose last one is 0,0 (see simpleray explain --help)\n");
+        assertThat(result.text()).isEmpty();
+        assertThat(result.exitCode()).isEqualTo(ExitCode.USAGE);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"1", "a,b", "-1,0", "1,2,3", "1.5,2", ""})
+    void whatIsNoPixelIsWrongUsage(String pixel) {
+        Program.Result result = InProcess.runWithInput(WALL, "explain", "-", "--pixel=" + pixel);
+
+        assertThat(result.err()).isEqualTo("simpleray explain: Invalid value for option '--pixel': "
+            + "expected two integers from 0 such as 120,80, found '" + pixel + "' (see simpleray explain --help)\n");
+        assertThat(result.exitCode()).isEqualTo(ExitCode.USAGE);
+    }
+
+    @Test
+    void withoutAPixelItIsWrongUsage() {
+        Program.Result result = InProcess.runWithInput(WALL, "explain", "-");
+
+        assertThat(result.err()).isEqualTo("simpleray explain: Missing required option: '--pixel=X,Y' (see simpleray explain --help)\n");
+        assertThat(result.exitCode()).isEqualTo(ExitCode.USAGE);
+    }
+
+    @Test
+    void aBadSceneAndAMissingOneEndAsForOtherCommands() throws IOException {
+        Path bad = Files.writeString(folder.resolve("bad.scene"), SmallScenes.BAD);
+        Program.Result read = InProcess.run("explain", bad.toString(), "--pixel", "0,0");
+        Program.Result missing = InProcess.run("explain", folder.resolve("none.scene").toString(), "--pixel", "0,0");
+
+        assertThat(read.err()).isEqualTo(String.format(SmallScenes.BAD_REPORT, bad));
+        assertThat(read.exitCode()).isEqualTo(ExitCode.BAD_SCENE);
+        assertThat(missing.err()).isEqualTo("simpleray: " + folder.resolve("none.scene") + ": no such file\n");
+        assertThat(missing.exitCode()).isEqualTo(ExitCode.NO_SCENE);
+    }
+
+    @Test
+    void warningsGoToStandardErrorUnlessItIsToBeQuiet() {
+        Program.Result told = InProcess.runWithInput(SmallScenes.WITH_HEADING, "explain", "-", "--pixel", "0,0");
+        Program.Result quiet = InProcess.runWithInput(SmallScenes.WITH_HEADING, "explain", "-", "--pixel", "0,0", "-q");
+
+        assertThat(told.err()).isEqualTo(String.format(SmallScenes.HEADING_WARNING, "<stdin>"));
+        assertThat(quiet.err()).isEmpty();
+        assertThat(quiet.text()).isEqualTo(told.text());
+    }
+}

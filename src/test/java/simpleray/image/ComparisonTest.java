@@ -1,0 +1,167 @@
+package simpleray.image;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.util.Arrays;
+import java.util.Random;
+import org.junit.jupiter.api.Test;
+
+/** Figures that follow from arithmetic. */
+class ComparisonTest {
+    private static final double SMALL = 1e-12;
+
+    private static byte[] row(int... levels) {
+        byte[] row = new byte[levels.length];
+        for (int i = 0; i < row.length; i++) {
+            row[i] = (byte) levels[i];
+        }
+        return row;
+    }
+
+    private static byte[] plain(int width, int level) {
+        byte[] row = new byte[3 * width];
+        Arrays.fill(row, (byte) level);
+        return row;
+    }
+
+    @Test
+    void equalPicturesAreTheSameInEveryFigure() {
+        Comparison same = new Comparison(40, 30);
+        Random random = new Random(1);
+        for (int y = 0; y < 30; y++) {
+            byte[] row = new byte[120];
+            random.nextBytes(row);
+            assertThat(same.row(row, row.clone())).containsOnly(0);
+        }
+
+        assertThat(same.maximum()).isZero();
+        assertThat(same.rmse()).isZero();
+        assertThat(same.psnr()).isInfinite().isPositive();
+        assertThat(same.ssim()).isEqualTo(1);
+        assertThat(same.beyondOneLevel()).isZero();
+    }
+
+    @Test
+    void thePlainFiguresAreThoseOfAllLevels() {
+        Comparison comparison = new Comparison(2, 2);
+
+        // differences 1, 0, 0 and 0, 2, 0; then 0, 0, 0 and 3, 4, 255
+        assertThat(comparison.row(row(10, 20, 30, 40, 50, 60), row(11, 20, 30, 40, 48, 60))).containsExactly(1, 2);
+        assertThat(comparison.row(row(0, 0, 0, 3, 4, 255), row(0, 0, 0, 0, 0, 0))).containsExactly(0, 255);
+
+        assertThat(comparison.maximum()).isEqualTo(255);
+        assertThat(comparison.beyondOneLevel()).isEqualTo(2);
+        assertThat(comparison.pixels()).isEqualTo(4);
+        double mean = (1 + 4 + 9 + 16 + 65025) / 12.0;
+        assertThat(comparison.rmse()).isEqualTo(Math.sqrt(mean), within(SMALL));
+        assertThat(comparison.psnr()).isEqualTo(10 * Math.log10(65025 / mean), within(SMALL));
+    }
+
+    @Test
+    void pixelsThatAllDifferByTenHave28Decibels() {
+        Comparison comparison = new Comparison(1, 1);
+        comparison.row(plain(1, 100), plain(1, 110));
+
+        assertThat(comparison.rmse()).isEqualTo(10);
+        assertThat(comparison.psnr()).isEqualTo(28.13080360867, within(1e-10));   // 20 log 25.5
+    }
+
+    /** Without structure only the means count: (2ab + C1) / (a² + b² + C1), C1 = 2.55² = 6.5025. */
+    @Test
+    void theSimilarityOfTwoGreysIsThatOfTheirMeans() {
+        for (int[] size : new int[][] {{1, 1}, {5, 20}, {20, 5}, {11, 11}, {31, 17}}) {
+            Comparison comparison = new Comparison(size[0], size[1]);
+            for (int y = 0; y < size[1]; y++) {
+                comparison.row(plain(size[0], 100), plain(size[0], 200));
+            }
+            assertThat(comparison.ssim()).as(size[0] + "x" + size[1])
+                .isEqualTo((2 * 100 * 200 + 6.5025) / (100 * 100 + 200 * 200 + 6.5025), within(1e-9));
+        }
+    }
+
+    /**
+     * Two pixels side by side weigh a half each. 0, 200 and 0, 100 have the means 100 and 50, the variances 10000 and 2500, the covariance
+     * 5000; C2 = 7.65² = 58.5225.
+     */
+    @Test
+    void theSimilarityOfTwoPixelsFollowsFromTheFormula() {
+        Comparison comparison = new Comparison(2, 1);
+        comparison.row(row(0, 0, 0, 200, 200, 200), row(0, 0, 0, 100, 100, 100));
+
+        assertThat(comparison.ssim()).isEqualTo((2 * 100 * 50 + 6.5025) * (2 * 5000 + 58.5225)
+            / ((100 * 100 + 50 * 50 + 6.5025) * (10000 + 2500 + 58.5225)), within(1e-9));
+    }
+
+    /** In 12 x 11 pixels there are two windows, whose mean it is; by the formula of the paper, weight by weight. */
+    @Test
+    void theSimilarityIsTheMeanOverAllWindows() {
+        byte[][] one = new byte[11][36];
+        byte[][] other = new byte[11][36];
+        Random random = new Random(2);
+        Comparison comparison = new Comparison(12, 11);
+        for (int y = 0; y < 11; y++) {
+            random.nextBytes(one[y]);
+            random.nextBytes(other[y]);
+            comparison.row(one[y], other[y]);
+        }
+
+        assertThat(comparison.ssim()).isEqualTo((window(one, other, 0) + window(one, other, 1)) / 2, within(1e-9));
+    }
+
+    private static double window(byte[][] one, byte[][] other, int from) {
+        double weights = 0;
+        double[] sums = new double[5];
+        for (int y = 0; y < 11; y++) {
+            for (int x = 0; x < 11; x++) {
+                double weight = Math.exp(-((x - 5) * (x - 5) + (y - 5) * (y - 5)) / (2 * 1.5 * 1.5));
+                double a = luma(one[y], from + x);
+                double b = luma(other[y], from + x);
+                weights += weight;
+                double[] of = {a, b, a * a, b * b, a * b};
+                for (int i = 0; i < 5; i++) {
+                    sums[i] += weight * of[i];
+                }
+            }
+        }
+        double a = sums[0] / weights;
+        double b = sums[1] / weights;
+        return (2 * a * b + 6.5025) * (2 * (sums[4] / weights - a * b) + 58.5225)
+            / ((a * a + b * b + 6.5025) * (sums[2] / weights - a * a + sums[3] / weights - b * b + 58.5225));
+    }
+
+    private static double luma(byte[] row, int x) {
+        return 0.299 * (row[3 * x] & 0xFF) + 0.587 * (row[3 * x + 1] & 0xFF) + 0.114 * (row[3 * x + 2] & 0xFF);
+    }
+
+    @Test
+    void theHeatMapIsBlackWithoutDifferenceAndGoesFromBlueOverRedToYellow() throws IOException {
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        HeatMap map = new HeatMap(4, 1, bytes);
+        map.row(0, new int[] {0, 1, 16, 255});                // 16 is nearly the root of 255
+        map.end();
+
+        try (PngRows rows = new PngRows(new ByteArrayInputStream(bytes.toByteArray()), "map")) {
+            assertThat(rows.next()).isEqualTo(row(0, 0, 0, 0, 0, 255, 255, 0, 0, 255, 255, 0));
+        }
+    }
+
+    @Test
+    void aCheckFindsTheFirstPixelThatDiffersInWhateverOrderTheRowsCome() throws IOException {
+        byte[] file = Pictures.png(Pictures.plain(3, 4, 0.5));
+        Picture picture = Pictures.plain(3, 4, 0.5);
+        picture.setRow(2, new double[] {0.5, 0.5, 0.5, 0.5, 1, 0.5, 0.5, 0.5, 0.5});
+        picture.setRow(3, new double[9]);
+        RowsCheck check = new RowsCheck(picture, new PngRows(new ByteArrayInputStream(file), "a.png"));
+
+        for (int y : new int[] {3, 1, 0, 2}) {
+            check.row(y);
+        }
+
+        assertThat(check.different()).isEqualTo(4);
+        assertThat(check.first()).isEqualTo(new RowsCheck.Pixel(1, 2, "128,128,128", "128,255,128"));
+    }
+}

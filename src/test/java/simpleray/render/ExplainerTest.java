@@ -1,0 +1,253 @@
+package simpleray.render;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static simpleray.text.SceneText.reader;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.CancellationException;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import simpleray.Project;
+import simpleray.RandomScenes;
+import simpleray.image.Picture;
+import simpleray.math.Colour;
+import simpleray.scene.Scene;
+import simpleray.scene.SceneFile;
+import simpleray.scene.SceneSettings;
+import simpleray.scene.SimpleCamera;
+import simpleray.scene.Story;
+
+/** Stories of pixels: their terms add up to the picture's colours, bit for bit. */
+class ExplainerTest {
+    private static final long SEED = 20140607;
+    private static final int SIDE = 5;
+    private static final int DEPTH = 4;
+
+    @TempDir
+    Path folder;
+
+    @ParameterizedTest
+    @EnumSource
+    void theTermsAddUpOnRandomScenesOfAllShapes(Accel accel) {
+        RandomScenes scenes = new RandomScenes(SEED + accel.ordinal(), folder);
+        StorySums sums = new StorySums();
+        for (int i = 0; i < 150; i++) {
+            Scene scene = scenes.next(i % 10 == 0 ? 60 : 20);
+            check(new Renderer(scene, new SimpleCamera(SIDE, SIDE), new RenderSettings(Stage.FINAL, DEPTH, 1, accel, 1, null)), 1, sums,
+                "seed " + (SEED + accel.ordinal()) + ", scene " + i);
+        }
+        assertThat(sums.hits).isGreaterThan(600);
+        assertThat(sums.blocked).isGreaterThan(50);
+        assertThat(sums.dimmed).isGreaterThan(20);
+        assertThat(sums.mirrored).isGreaterThan(100);
+        assertThat(sums.refracted).isGreaterThan(50);
+    }
+
+    @Test
+    void theStoryIsTheSameHoweverObjectsAreFound() {
+        RandomScenes scenes = new RandomScenes(SEED, folder);
+        int blocked = 0;
+        for (int i = 0; i < 60; i++) {
+            Scene scene = scenes.next(i % 10 == 0 ? 60 : 20);
+            Explainer plain = explainer(scene, Accel.NONE);
+            Explainer engine = explainer(scene, Accel.AUTO);
+            for (int p = 0; p < SIDE * SIDE; p++) {
+                String text = StoryText.of(engine.story(p % SIDE, p / SIDE));
+                assertThat(text).isEqualTo(StoryText.of(plain.story(p % SIDE, p / SIDE)));
+                assertThat(engine.objectAt(p % SIDE, p / SIDE)).isEqualTo(plain.objectAt(p % SIDE, p / SIDE));
+                blocked += text.contains("blocked by") ? 1 : 0;
+            }
+        }
+        assertThat(blocked).isGreaterThan(30);
+    }
+
+    private static Explainer explainer(Scene scene, Accel accel) {
+        return new Renderer(scene, new SimpleCamera(SIDE, SIDE), new RenderSettings(Stage.FINAL, 2, 1, accel, 1, null)).explainer();
+    }
+
+    static List<String> sampleScenes() {
+        return Project.scenes();
+    }
+
+    @ParameterizedTest
+    @MethodSource("sampleScenes")
+    void theTermsAddUpOnEverySampleScene(String name) throws IOException {
+        SceneSettings small = new SceneSettings();
+        small.resolution = new SceneSettings.Resolution(24, 18);
+        small.samples = 1;
+        StorySums sums = new StorySums();
+
+        check(new RenderRequest(small, Stage.FINAL, false, 1).renderer(SceneFile.read(Project.scene(name)).scene()), 5, sums, name);
+
+        assertThat(sums.hits).isGreaterThan(10);
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void aStoryOfAnyStageHasThePicturesColour(Stage stage) {
+        RandomScenes scenes = new RandomScenes(SEED, folder);
+        for (int i = 0; i < 30; i++) {
+            Renderer renderer = new Renderer(scenes.next(15), new SimpleCamera(SIDE, SIDE), new RenderSettings(stage, DEPTH, 1, 1));
+            Picture picture = renderer.render(RenderListener.NONE);
+            Explainer explainer = renderer.explainer();
+            for (int p = 0; p < SIDE * SIDE; p++) {
+                PixelStory story = explainer.story(p % SIDE, p / SIDE);
+                String where = "scene " + i + ", pixel " + p;
+                StorySums.assertSame(where, story.colour(), pixel(picture, p % SIDE, p / SIDE));
+                assertThat(story.stage()).isEqualTo(stage);
+                if (!stage.isView()) {
+                    StorySums.assertSame(where, story.samples().get(0).story().colour(), story.colour());
+                }
+            }
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {2, 3, RenderSettings.ADAPTIVE})
+    void severalSamplesAreToldAndTheirMeanIsThePixel(int samples) {
+        RandomScenes scenes = new RandomScenes(SEED, folder);
+        int alone = 0;
+        int many = 0;
+        for (int i = 0; i < 40; i++) {
+            Renderer renderer = new Renderer(scenes.next(15), new SimpleCamera(SIDE, SIDE), new RenderSettings(Stage.FINAL, 2, samples, 1));
+            Picture picture = renderer.render(RenderListener.NONE);
+            Explainer explainer = renderer.explainer();
+            for (int p = 0; p < SIDE * SIDE; p++) {
+                PixelStory story = explainer.story(p % SIDE, p / SIDE);
+                Colour mean = new Colour();
+                for (PixelStory.Sample sample : story.samples()) {
+                    Colour seen = new Colour(sample.story().colour());
+                    seen.clamp();
+                    StorySums.assertSame("a sample", sample.colour(), seen);
+                    assertThat(sample.clamped()).isTrue();
+                    mean.add(seen);
+                }
+                if (story.mean()) {
+                    mean.scale(1.0 / story.samples().size());
+                }
+                StorySums.assertSame("the sum", story.colour(), mean);
+                StorySums.assertSame("the picture", story.colour(), pixel(picture, p % SIDE, p / SIDE));
+                alone += story.samples().size() == 1 ? 1 : 0;
+                many += story.samples().size() == (samples == RenderSettings.ADAPTIVE ? 16 : samples * samples) ? 1 : 0;
+            }
+        }
+        assertThat(alone + many).isEqualTo(40 * SIDE * SIDE);
+        assertThat(many).isGreaterThan(100);
+        assertThat(alone > 100).isEqualTo(samples == RenderSettings.ADAPTIVE);
+    }
+
+    @Test
+    void theStoryNamesWhatIsHitAndWhatIsInTheWayByNumberKindAndLine() throws IOException {
+        Scene scene = scene("""
+            3
+            # the floor
+            1  0 1 0 -1      0.5 0.5 0.5  1 1 1  0 0 0  1
+            0  0 5 -1  1     1 1 1  1 1 1  0 0 0  1
+            2  -9 2 -9  9 2 -9  0 2 9
+               1 1 1  1 1 1  0 0 0  1  transmit 0.5 1 0.25 1
+
+            0.2 0.2 0.2
+            2
+            0  1 1 1  0 9 -1
+            1  1 0 0  0 1 0
+            """);
+        Story story = explainer(scene, 3, Stage.FINAL, 10).story(1, 2).samples().get(0).story();
+
+        assertThat(story.hit().object()).isEqualTo(new Story.Thing(1, "plane", 3));
+        assertThat(story.hit().ambient()).hasToString(new Colour(0.1, 0.1, 0.1).toString());
+        assertThat(story.hit().lamps()).extracting(Story.Lamp::light).containsExactly(new Story.Thing(1, "point light", 10),
+            new Story.Thing(2, "directional light", 11));
+        assertThat(story.hit().lamps()).extracting(Story.Lamp::verdict).containsExactly(Story.Verdict.BLOCKED, Story.Verdict.TURNED_AWAY);
+        assertThat(story.hit().lamps().get(0).between()).extracting(Story.Between::object)
+            .containsExactly(new Story.Thing(2, "sphere", 4));
+        assertThat(story.hit().lamps().get(1).between()).isEmpty();
+    }
+
+    @Test
+    void glassInTheWayOfALightIsToldWithWhatItLeaves() throws IOException {
+        Scene scene = scene("""
+            2
+            1  0 1 0 -1   0 0 0  1 1 1  0 0 0  1
+            2  -9 2 -9  9 2 -9  0 2 9   0 0 0  0 0 0  0 0 0  1  transmit 0.5 1 0.25 1
+            0 0 0  1
+            0  1 0.5 1  0 9 -1
+            """);
+        Story.Lamp lamp = explainer(scene, 3, Stage.FINAL, 10).story(1, 2).samples().get(0).story().hit().lamps().get(0);
+
+        assertThat(lamp.verdict()).isEqualTo(Story.Verdict.DIMMED);
+        assertThat(lamp.arriving()).hasToString(new Colour(0.5, 0.5, 0.25).toString());
+        assertThat(lamp.between().get(0).object()).isEqualTo(new Story.Thing(2, "triangle", 3));
+    }
+
+    @Test
+    void whereNothingIsHitTheStoryIsTheBackground() throws IOException {
+        PixelStory story = explainer(scene("0  1 1 1  0\nbackground 0.25 0.5 1"), 3, Stage.FINAL, 10).story(0, 0);
+
+        assertThat(story.samples().get(0).story().hit()).isNull();
+        assertThat(story.colour()).hasToString(new Colour(0.25, 0.5, 1).toString());
+        assertThat(explainer(scene("0  1 1 1  0\nbackground 0.25 0.5 1"), 3, Stage.DIFFUSE, 10).story(0, 0).colour().isBlack()).isTrue();
+    }
+
+    @Test
+    void theObjectAtAPixelIsTheOneAtItsCentre() throws IOException {
+        Explainer explainer = explainer(scene("1  0 0 0 0 0.5  1 1 1  0 0 0  0 0 0  1   1 1 1  0"), 3, Stage.FINAL, 10);
+
+        assertThat(explainer.objectAt(1, 1)).isEqualTo(new Story.Thing(1, "sphere", 1));
+        assertThat(explainer.objectAt(0, 0)).isNull();
+    }
+
+    @Test
+    void aPixelOutsideThePictureHasNoStory() throws IOException {
+        Explainer explainer = explainer(scene("0  1 1 1  0"), 3, Stage.FINAL, 10);
+
+        assertThat(List.of(explainer.width(), explainer.height())).containsExactly(3, 3);
+        assertThatThrownBy(() -> explainer.story(3, 0)).isInstanceOf(IndexOutOfBoundsException.class);
+        assertThatThrownBy(() -> explainer.story(0, -1)).isInstanceOf(IndexOutOfBoundsException.class);
+    }
+
+    @Test
+    void anInterruptCancelsAStory() throws IOException {
+        Explainer explainer = explainer(scene("0  1 1 1  0"), 3, Stage.FINAL, 10);
+        Thread.currentThread().interrupt();
+
+        assertThatThrownBy(() -> explainer.story(0, 0)).isInstanceOf(CancellationException.class);
+        assertThat(Thread.interrupted()).isTrue();
+    }
+
+    private static void check(Renderer renderer, int step, StorySums sums, String where) {
+        Picture picture = renderer.render(RenderListener.NONE);
+        Explainer explainer = renderer.explainer();
+        for (int y = 0; y < picture.height(); y += step) {
+            for (int x = 0; x < picture.width(); x += step) {
+                PixelStory story = explainer.story(x, y);
+                String pixel = where + ", pixel " + x + ',' + y;
+                sums.check(story.samples().get(0).story(), pixel);
+                assertThat(story.samples()).hasSize(1);
+                StorySums.assertSame(pixel, story.colour(), pixel(picture, x, y));
+                StorySums.assertSame(pixel, story.samples().get(0).story().colour(), story.colour());
+            }
+        }
+    }
+
+    private static Colour pixel(Picture picture, int x, int y) {
+        double[] row = picture.row(y);
+        return new Colour(row[3 * x], row[3 * x + 1], row[3 * x + 2]);
+    }
+
+    private static Explainer explainer(Scene scene, int side, Stage stage, int depth) {
+        return new Renderer(scene, new SimpleCamera(side, side), new RenderSettings(stage, depth, 1, 1)).explainer();
+    }
+
+    private static Scene scene(String text) throws IOException {
+        Scene scene = new Scene();
+        scene.read(reader(text));
+        return scene;
+    }
+}

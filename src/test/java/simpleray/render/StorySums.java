@@ -1,0 +1,91 @@
+package simpleray.render;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import simpleray.math.Colour;
+import simpleray.scene.Story;
+import simpleray.scene.Story.Between;
+import simpleray.scene.Story.Hit;
+import simpleray.scene.Story.Lamp;
+import simpleray.scene.Story.Next;
+import simpleray.scene.Story.Verdict;
+
+/** Adds the terms of stories again, from nothing but what the stories tell, and holds the sums to what they say, bit for bit. */
+final class StorySums {
+    /** How many rays hit something. */
+    int hits;
+    /** How many lights were blocked, and how many dimmed. */
+    int blocked;
+    int dimmed;
+    /** How many mirror rays and refracted rays were told of. */
+    int mirrored;
+    int refracted;
+
+    void check(Story story, String where) {
+        if (story.hit() == null) {
+            return;
+        }
+        hits++;
+        Hit hit = story.hit();
+        assertSame(where, hit.ambient(), Colour.mult(hit.material().ambient, hit.light()));
+        Colour diffuse = new Colour();
+        Colour specular = new Colour();
+        for (Lamp lamp : hit.lamps()) {
+            check(lamp, hit, where);
+            diffuse.add(lamp.diffuse());
+            specular.add(lamp.specular());
+        }
+        assertSame(where, hit.diffuse(), diffuse);
+        assertSame(where, hit.specular(), specular);
+        Colour sum = new Colour(hit.ambient());
+        sum.add(diffuse);
+        sum.add(specular);
+        mirrored += add(sum, hit.mirror(), where);
+        refracted += add(sum, hit.refracted(), where);
+        assertSame(where, story.colour(), sum);
+    }
+
+    private int add(Colour sum, Next next, String where) {
+        if (next == null) {
+            return 0;
+        }
+        assertSame(where, next.colour(), Colour.mult(next.story().colour(), next.share()));
+        sum.add(next.colour());
+        check(next.story(), where);
+        return 1;
+    }
+
+    private void check(Lamp lamp, Hit hit, String where) {
+        Colour arriving = new Colour();
+        if (lamp.verdict() == Verdict.TURNED_AWAY) {
+            assertThat(lamp.facing()).as(where).isLessThanOrEqualTo(0);
+        } else {
+            assertThat(lamp.facing()).as(where).isGreaterThan(0);
+            arriving.copy(lamp.intensity());
+            for (Between between : lamp.between()) {
+                arriving.mult(between.transmission());
+            }
+        }
+        assertSame(where, lamp.arriving(), arriving);
+        Colour diffuse = Colour.mult(hit.material().diffuse, arriving);
+        diffuse.scale(Math.max(0, lamp.facing()));
+        assertSame(where, lamp.diffuse(), diffuse);
+        assertThat(lamp.verdict() == Verdict.REACHES).as(where)
+            .isEqualTo(lamp.between().isEmpty() && lamp.verdict() != Verdict.TURNED_AWAY);
+        if (lamp.verdict() == Verdict.BLOCKED) {
+            blocked++;
+            assertThat(arriving.isBlack()).as(where).isTrue();
+        } else if (lamp.verdict() == Verdict.DIMMED) {
+            dimmed++;
+            assertThat(lamp.between()).as(where).noneMatch(between -> between.transmission().isBlack());
+        }
+    }
+
+    static void assertSame(String where, Colour actual, Colour expected) {
+        assertThat(bits(actual)).as(where).isEqualTo(bits(expected));
+    }
+
+    private static String bits(Colour c) {                    // 0 and -0 are one
+        return Double.toHexString(c.r + 0.0) + ' ' + Double.toHexString(c.g + 0.0) + ' ' + Double.toHexString(c.b + 0.0);
+    }
+}

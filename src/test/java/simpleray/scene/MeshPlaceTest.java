@@ -1,0 +1,74 @@
+package simpleray.scene;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.catchThrowableOfType;
+import static org.assertj.core.api.Assertions.within;
+import static simpleray.text.SceneText.reader;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import simpleray.math.Bounds;
+import simpleray.math.Point;
+import simpleray.math.Ray;
+import simpleray.math.Vector;
+import simpleray.text.Problem;
+import simpleray.text.SceneFormatException;
+
+/** A mesh where it stands: moved and scaled along each axis in its own way. */
+class MeshPlaceTest {
+    /** Two triangles of unlike sides: one that faces +z, and one that faces +x, ten units farther along z. */
+    private static final double[] CORNERS = {1, 2, 3, 5, 2, 3, 1, 10, 3, 7, 0, 10, 7, 4, 10, 7, 0, 20};
+    private static final double ROUNDING = 1e-12;
+
+    private static Mesh mesh(Point offset, double scale) {
+        return new Mesh(new Material(), "a.obj", offset, scale,
+            new Triangles(CORNERS, new int[] {0, 1, 2, 3, 4, 5}, new double[0], null));
+    }
+
+    @Test
+    void theNormalIsThatOfTheTriangleThatIsNearestWhereTheMeshStands() {
+        Mesh mesh = mesh(new Point(100, 200, 300), 2);
+
+        assertThat(mesh.normal(new Point(104, 206, 306.1))).hasToString("[0.0,0.0,1.0]");
+        assertThat(mesh.normal(new Point(114.1, 202, 324))).hasToString("[1.0,0.0,0.0]");
+    }
+
+    @ParameterizedTest
+    @CsvSource({"2", "-2", "0.25"})
+    void itsBoxIsThatOfItsCornersScaledAndMoved(double scale) {
+        Bounds box = mesh(new Point(100, 200, 300), scale).bounds();
+
+        assertThat(box.xmin()).isEqualTo(100 + Math.min(scale, 7 * scale), within(ROUNDING)).isLessThan(100 + Math.min(scale, 7 * scale));
+        assertThat(box.xmax()).isEqualTo(100 + Math.max(scale, 7 * scale), within(ROUNDING))
+            .isGreaterThan(100 + Math.max(scale, 7 * scale));
+        assertThat(box.ymin()).isEqualTo(200 + Math.min(0, 10 * scale), within(ROUNDING)).isLessThan(200 + Math.min(0, 10 * scale));
+        assertThat(box.ymax()).isEqualTo(200 + Math.max(0, 10 * scale), within(ROUNDING)).isGreaterThan(200 + Math.max(0, 10 * scale));
+        assertThat(box.zmin()).isEqualTo(300 + Math.min(3 * scale, 20 * scale), within(ROUNDING))
+            .isLessThan(300 + Math.min(3 * scale, 20 * scale));
+        assertThat(box.zmax()).isEqualTo(300 + Math.max(3 * scale, 20 * scale), within(ROUNDING))
+            .isGreaterThan(300 + Math.max(3 * scale, 20 * scale));
+    }
+
+    @Test
+    void raysFindItWhereItStands() {
+        Mesh mesh = mesh(new Point(100, 200, 300), 2);
+
+        assertThat(mesh.intersect(new Ray(new Point(104, 206, 400), new Vector(0, 0, -1)))).isEqualTo(94, within(ROUNDING));
+        assertThat(mesh.intersect(new Ray(new Point(120, 202, 324), new Vector(-2, 0, 0)))).isEqualTo(3, within(ROUNDING));
+        assertThat(mesh.intersect(new Ray(new Point(104, 100, 306), new Vector(0, 1, 0)))).as("along its plane").isEqualTo(Object.MISS);
+        assertThat(mesh.surface(new Ray(new Point(120, 202, 324), new Vector(-1, 0, 0)), 6, new Point()).outward())
+            .hasToString("[1.0,0.0,0.0]");
+    }
+
+    @ParameterizedTest
+    @CsvSource({"1e60, true", "-1e60, true", "1.1e60, false", "-1.1e60, false"})
+    void theScaleIsUpTo1e60(String scale, boolean good) {
+        String text = "1 4 \"none.obj\" 0 0 0 " + scale + " 1 1 1 1 1 1 0 0 0 2 0 0 0 0";
+        SceneFormatException e = catchThrowableOfType(SceneFormatException.class, () -> new Scene().read(reader(text)));
+
+        assertThat(e.problems()).as("with that of the missing file").hasSize(good ? 1 : 2);
+        assertThat(e.problems()).last().extracting(Problem::message).asString()
+            .startsWith(good ? "expected object 1's OBJ file" : "expected object 1's scale from -1e60 to 1e60, found '" + scale + "'");
+    }
+}

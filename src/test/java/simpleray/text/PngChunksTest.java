@@ -1,0 +1,84 @@
+package simpleray.text;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
+import java.util.zip.CRC32;
+import org.junit.jupiter.api.Test;
+
+/** Chunks that are read in pieces. */
+class PngChunksTest {
+    private static final byte[] DATA = "13 bytes long".getBytes(StandardCharsets.US_ASCII);
+
+    @Test
+    void howMuchOfAChunkIsLeftIsKnown() throws IOException {
+        PngChunks chunks = open(DATA.length);
+        byte[] some = new byte[DATA.length];
+
+        assertThat(chunks.next()).isEqualTo("tEST");
+        assertThat(chunks.left()).isEqualTo(13);
+        assertThat(chunks.read(some, 0, 5)).isEqualTo(5);
+        assertThat(chunks.left()).isEqualTo(8);
+        assertThat(chunks.rest(8)).isEqualTo(Arrays.copyOfRange(DATA, 5, 13));
+        assertThat(chunks.left()).isZero();
+        assertThat(chunks.read(some, 0, 5)).isEqualTo(-1);
+        assertThat(some).startsWith(Arrays.copyOf(DATA, 5));
+        assertThat(chunks.next()).isEqualTo("IEND");
+        assertThat(chunks.left()).isZero();
+    }
+
+    @Test
+    void howTheBytesComeMakesNoDifference() throws IOException {
+        for (int atOnce = 1; atOnce <= DATA.length; atOnce++) {
+            PngChunks chunks = open(atOnce);
+            chunks.next();
+            assertThat(chunks.rest(1000)).as("by " + atOnce).isEqualTo(DATA);
+        }
+    }
+
+    @Test
+    void noMoreOfAChunkIsTakenThanIsWanted() throws IOException {
+        PngChunks chunks = open(DATA.length);
+        chunks.next();
+
+        assertThatThrownBy(() -> chunks.rest(12)).hasMessage("a.png: has a chunk tEST that is too long: 13 bytes of at most 12");
+    }
+
+    @Test
+    void behindTheLastChunkIsNoneHoweverOftenOneAsks() throws IOException {
+        PngChunks chunks = open(DATA.length);
+        assertThat(chunks.next()).isEqualTo("tEST");
+        assertThat(chunks.next()).isEqualTo("IEND");
+
+        assertThat(chunks.next()).isNull();
+        assertThat(chunks.next()).isNull();
+    }
+
+    private static PngChunks open(int atOnce) throws IOException {
+        ByteArrayOutputStream file = new ByteArrayOutputStream();
+        file.write(PngChunks.signature());
+        write(file, "tEST", DATA);
+        write(file, "IEND", new byte[0]);
+        return new PngChunks(new ByteArrayInputStream(file.toByteArray()) {
+            @Override
+            public synchronized int read(byte[] b, int off, int len) {
+                return super.read(b, off, Math.min(len, atOnce));
+            }
+        }, "a.png").begin();
+    }
+
+    private static void write(ByteArrayOutputStream file, String name, byte[] data) throws IOException {
+        byte[] named = (name + new String(data, StandardCharsets.US_ASCII)).getBytes(StandardCharsets.US_ASCII);
+        CRC32 sum = new CRC32();
+        sum.update(named);
+        file.write(ByteBuffer.allocate(Integer.BYTES).putInt(data.length).array());
+        file.write(named);
+        file.write(ByteBuffer.allocate(Integer.BYTES).putInt((int) sum.getValue()).array());
+    }
+}

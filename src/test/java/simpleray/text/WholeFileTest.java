@@ -1,0 +1,142 @@
+package simpleray.text;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import com.google.common.jimfs.Configuration;
+import com.google.common.jimfs.Jimfs;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.FileSystem;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+
+/** A file in the making on a disk of 64 KiB, in memory. */
+class WholeFileTest {
+    private static final int SIZE = 1 << 16;
+
+    private FileSystem disk;
+    private Path target;
+
+    @BeforeEach
+    void makeDisk() {
+        disk = Jimfs.newFileSystem(Configuration.unix().toBuilder().setWorkingDirectory("/pictures")
+            .setMaxSize(SIZE).setBlockSize(1024).build());
+        target = disk.getPath("/pictures/picture.png");
+    }
+
+    @AfterEach
+    void endDisk() throws IOException {
+        disk.close();
+    }
+
+    @Test
+    void aDiskThatBecomesFullLeavesTheOldFileAndNothingElse() throws IOException {
+        Files.writeString(target, "the old picture");
+        try (WholeFile file = new WholeFile(target)) {
+            assertThatThrownBy(() -> {
+                file.out().write(new byte[SIZE]);
+                file.commit();
+            }).isInstanceOf(IOException.class).hasMessage("out of disk space");
+        }
+        assertThat(Files.readString(target)).isEqualTo("the old picture");
+        assertThat(names()).containsExactly("picture.png");
+    }
+
+    @Test
+    void aDiskThatIsFullOnlyWhenTheLastBytesAreWrittenLeavesNothingToo() throws IOException {
+        try (WholeFile file = new WholeFile(target)) {
+            file.out().write(new byte[SIZE / 2]);
+            fill(disk.getPath("/pictures/other"));
+            file.out().write(new byte[100]);                  // still in the buffer
+            assertThatThrownBy(file::commit).isInstanceOf(IOException.class).hasMessage("out of disk space");
+        }
+        assertThat(names()).containsExactly("other");
+    }
+
+    @Test
+    void aDiskThatIsFullFromTheBeginningIsKnownAtOnce() throws IOException {
+        Files.write(disk.getPath("/pictures/other"), new byte[SIZE]);
+
+        assertThatThrownBy(() -> new WholeFile(target)).isInstanceOf(IOException.class).hasMessage("out of disk space");
+        assertThat(names()).containsExactly("other");
+    }
+
+    @Test
+    void whatAKilledProcessLeftIsUsedAndGone() throws IOException {
+        List<String> left;
+        try (WholeFile file = new WholeFile(target)) {
+            file.out().write(1);
+            left = names();
+        }
+        for (String name : left) {
+            Files.writeString(target.resolveSibling(name), "half a picture");
+        }
+
+        try (WholeFile file = new WholeFile(target)) {
+            file.out().write("whole".getBytes(StandardCharsets.US_ASCII));
+            file.commit();
+        }
+        assertThat(left).hasSize(2).allMatch(name -> name.matches("\\.simpleray-[0-9a-f]+\\.(part|lock)"));
+        assertThat(Files.readString(target)).isEqualTo("whole");
+        assertThat(names()).containsExactly("picture.png");
+    }
+
+    @Test
+    void oneTargetHasOneInTheMakingHoweverItIsNamed() throws IOException {
+        Path other = disk.getPath("/pictures/../pictures/./picture.png");
+        try (WholeFile file = new WholeFile(target)) {
+            assertThatThrownBy(() -> new WholeFile(other)).isInstanceOf(FileInUseException.class);
+            new WholeFile(disk.getPath("/pictures/another.png")).close();
+            file.commit();
+            assertThatThrownBy(() -> new WholeFile(other)).as("until it is closed").isInstanceOf(FileInUseException.class);
+        }
+        new WholeFile(other).close();
+    }
+
+    @Test
+    void closingTwiceHarmsNobody() throws IOException {
+        WholeFile first = new WholeFile(target);
+        first.close();
+        try (WholeFile second = new WholeFile(target)) {
+            first.close();
+            second.out().write(1);
+            second.commit();
+        }
+        assertThat(Files.readAllBytes(target)).containsExactly(1);
+        assertThat(names()).containsExactly("picture.png");
+    }
+
+    @Test
+    void aNameMayBeAsLongAsNamesMayBe() throws IOException {
+        Path longest = target.resolveSibling("a".repeat(251) + ".png");
+        try (WholeFile file = new WholeFile(longest)) {
+            assertThat(names()).allMatch(name -> name.length() < 40);
+            file.commit();
+        }
+        assertThat(longest).exists();
+    }
+
+    private static void fill(Path file) throws IOException {
+        try (OutputStream out = Files.newOutputStream(file)) {
+            assertThatThrownBy(() -> {
+                while (true) {
+                    out.write(new byte[1024]);
+                }
+            }).hasMessage("out of disk space");
+        }
+    }
+
+    private List<String> names() throws IOException {
+        try (Stream<Path> files = Files.list(target.getParent())) {
+            return files.map(file -> file.getFileName().toString()).sorted().collect(Collectors.toList());
+        }
+    }
+}

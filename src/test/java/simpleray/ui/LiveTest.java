@@ -1,0 +1,155 @@
+package simpleray.ui;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.event.KeyEvent;
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import simpleray.render.RenderRequest;
+import simpleray.render.Stage;
+
+/** A window whose scene is changed, broken and deleted by other programs. */
+class LiveTest {
+    private static final int SIDE = 64;
+    /** A saved scene is to be rendered within 250 ms; a machine that does other things meanwhile has eight times as long. */
+    private static final double SECONDS = 8 * 0.25;
+    private static final String BAD = "1\n1  0 0 1 -1  0.2 0.4 oops  0 0 0  0 0 0  0\n1 1 1\n0\n";
+
+    @TempDir
+    private Path folder;
+    private Path scene;
+    private OpenWindow window;
+
+    @BeforeEach
+    void open() {
+        scene = TestScenes.plain(folder.resolve("room.scene"), 0.2, 0.4, 0.6);
+        window = new OpenWindow(SceneSource.file(scene), SIDE, SIDE);
+        window.untilShown("the first picture", TestScenes.rendered(scene, SIDE, SIDE));
+        window.untilState(Rendering.State.FINISHED);
+    }
+
+    @AfterEach
+    void close() {
+        window.close();
+    }
+
+    @ParameterizedTest
+    @ValueSource(booleans = {true, false})
+    void aSavedSceneIsRenderedAtOnce(boolean inPlace) throws IOException {
+        double best = Double.POSITIVE_INFINITY;               // of a few: a machine may be busy for a while
+        for (int i = 1; i <= 3; i++) {
+            Rendering before = window.rendering();
+            long begin = System.nanoTime();
+            if (inPlace) {
+                TestScenes.plain(scene, 0, 1, 0.25 * i);
+            } else {
+                Files.move(TestScenes.plain(folder.resolve("room.new"), 0, 1, 0.25 * i), scene, StandardCopyOption.ATOMIC_MOVE);
+            }
+            Screen.until("another rendering is there", () -> window.rendering() != before);
+            best = Math.min(best, (System.nanoTime() - begin) / 1e9);
+            window.untilShown("the new picture", TestScenes.rendered(scene, SIDE, SIDE));
+        }
+
+        assertThat(best).isLessThan(SECONDS);
+    }
+
+    @Test
+    void aSavedMeshIsRendered() throws IOException {
+        Path mesh = TestScenes.write(folder.resolve("a b.obj"), "v -9 -9 0\nv 9 -9 0\nv 0 9 0\nf 1 2 3\n");
+        TestScenes.write(scene, "1\n4 \"a b.obj\" 0 0 0 1  1 0 0  0 0 0  0 0 0  0\n1 1 1\n0\n");
+        window.untilShown("the mesh", TestScenes.rendered(scene, SIDE, SIDE));
+        TestScenes.write(mesh, "v -9 -9 0\nv 1 -9 0\nv 0 9 0\nf 1 2 3\n");
+
+        window.untilShown("the other mesh", TestScenes.rendered(scene, SIDE, SIDE));
+    }
+
+    @Test
+    void aBadSaveKeepsThePictureAndShowsTheErrorUntilTheSceneIsRepaired() throws IOException {
+        BufferedImage good = TestScenes.rendered(scene, SIDE, SIDE);
+        TestScenes.write(scene, BAD);
+        window.untilProblems("oops");
+
+        assertThat(window.problems().getText()).isEqualTo(scene + ":2:22: error: expected object 1's ambient blue, found 'oops'\n"
+            + "1  0 0 1 -1  0.2 0.4 oops  0 0 0  0 0 0  0\n" + " ".repeat(21) + "^");
+        Screen.until("the status bar says so", () -> window.status().equals("The scene was not read: see above"));
+        window.untilShown("the good picture", good);
+        TestScenes.plain(scene, 1, 0, 0);
+        window.untilShown("the new picture", TestScenes.rendered(scene, SIDE, SIDE));
+        Screen.until("the error is gone", () -> window.problems() == null);
+    }
+
+    @Test
+    void theSceneThatWasLastReadCanBeSeenOtherwiseWhileItsFileHasErrors() {
+        BufferedImage original = TestScenes.rendered(scene, SIDE, SIDE, Stage.ORIGINAL);
+        RenderRequest request = window.rendering().request();
+        TestScenes.write(scene, BAD);
+        window.untilProblems("found 'oops'");
+        OpenWindow.run(() -> {
+            window.picture().setRequest(request.with(Stage.ORIGINAL));
+            window.picture().restart();
+        });
+
+        window.untilShown("the scene at another stage", original);
+        window.untilProblems("found 'oops'");
+    }
+
+    @Test
+    void aHalfWrittenFileShowsNoError() {
+        int minute = 60_000;
+        OpenWindow.run(() -> window.frame.setPatience(minute));
+        Rendering before = window.rendering();
+        TestScenes.write(scene, "");
+        Screen.until("half a scene was read", () -> window.rendering() != before
+            && window.rendering().state() == Rendering.State.FAILED && !window.picture().isBusy());
+        assertThat(window.problems()).isNull();
+        assertThat(window.status()).doesNotContain("not read");
+        TestScenes.plain(scene, 1, 1, 0);
+
+        window.untilShown("the picture", TestScenes.rendered(scene, SIDE, SIDE));
+        assertThat(window.problems()).isNull();
+    }
+
+    @Test
+    void aDeletedSceneLeavesThePictureAndABannerUntilItIsBack() throws IOException {
+        BufferedImage good = TestScenes.rendered(scene, SIDE, SIDE);
+        Files.delete(scene);
+        Screen.until("the banner is there", () -> OpenWindow.seen(Banner.class, b -> b.message("gone") != null) != null);
+
+        assertThat(OpenWindow.ask(() -> window.frame.banner().message("gone")))
+            .isEqualTo("room.scene was deleted; the picture is the last one read");
+        assertThat(window.problems()).isNull();
+        window.untilShown("the picture", good);
+        TestScenes.plain(scene, 0, 0, 1);
+        window.untilShown("the new picture", TestScenes.rendered(scene, SIDE, SIDE));
+        Screen.until("the banner is gone", () -> window.frame.banner().message("gone") == null);
+    }
+
+    @Test
+    void anotherSceneIsWatchedOnceItIsOpened() {
+        Path other = TestScenes.plain(folder.resolve("other.scene"), 1, 0, 0);
+        OpenWindow.run(() -> window.frame.open(SceneSource.file(other)));
+        window.untilShown("the other", TestScenes.rendered(other, SIDE, SIDE));
+        TestScenes.plain(scene, 0, 0, 0);
+        TestScenes.plain(other, 0, 1, 1);
+
+        window.untilShown("the other as it is now", TestScenes.rendered(other, SIDE, SIDE));
+        Screen.until("one thread watches", () -> OpenWindow.threads().stream().filter("simpleray-watcher"::equals).count() == 1);
+    }
+
+    @Test
+    void stagesAreThoseOfTheSceneAsItIsNow() {
+        window.screen.press(KeyEvent.VK_1);
+        TestScenes.plain(scene, 0.5, 0, 0);
+
+        window.untilShown("the stage", TestScenes.rendered(scene, SIDE, SIDE, Stage.ORIGINAL));
+    }
+}
