@@ -39,18 +39,10 @@ final class Boxes {
         sides = new float[SIDES * ids.length];
         double[] low = {Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY};
         double[] high = {Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY};
-        pool.ranges(ids.length, (from, to) -> {
-            Bounds all = objects[ids[from]].bounds();
-            for (int i = from + 1; i < to; i++) {
-                all = all.with(objects[ids[i]].bounds());
-            }
-            synchronized (low) {
-                low[0] = Math.min(low[0], all.xmin());
-                low[1] = Math.min(low[1], all.ymin());
-                low[2] = Math.min(low[2], all.zmin());
-                high[0] = Math.max(high[0], all.xmax());
-                high[1] = Math.max(high[1], all.ymax());
-                high[2] = Math.max(high[2], all.zmax());
+        pool.ranges(ids.length, new Pool.Work() {
+            @Override
+            public void on(int from, int to) {
+                widen(low, high, objects, from, to);
             }
         });
         double half = Float.MIN_NORMAL;
@@ -62,18 +54,40 @@ final class Boxes {
         }
         double pad = Math.max(half * PAD, far * FAR_PAD);
         extent = half + pad;
-        pool.ranges(ids.length, (from, to) -> {
-            for (int i = from; i < to; i++) {
-                Bounds b = objects[ids[i]].bounds();
-                int at = SIDES * i;
-                sides[at] = (float) (b.xmin() - middle[0] - pad);
-                sides[at + 1] = (float) (b.ymin() - middle[1] - pad);
-                sides[at + 2] = (float) (b.zmin() - middle[2] - pad);
-                sides[at + 3] = (float) (b.xmax() - middle[0] + pad);
-                sides[at + 4] = (float) (b.ymax() - middle[1] + pad);
-                sides[at + 5] = (float) (b.zmax() - middle[2] + pad);
+        pool.ranges(ids.length, new Pool.Work() {
+            @Override
+            public void on(int from, int to) {
+                enclose(objects, pad, from, to);
             }
         });
+    }
+
+    private void widen(double[] low, double[] high, Object[] objects, int from, int to) {
+        Bounds all = objects[ids[from]].bounds();
+        for (int i = from + 1; i < to; i++) {
+            all = all.with(objects[ids[i]].bounds());
+        }
+        synchronized (low) {
+            low[0] = Math.min(low[0], all.xmin());
+            low[1] = Math.min(low[1], all.ymin());
+            low[2] = Math.min(low[2], all.zmin());
+            high[0] = Math.max(high[0], all.xmax());
+            high[1] = Math.max(high[1], all.ymax());
+            high[2] = Math.max(high[2], all.zmax());
+        }
+    }
+
+    private void enclose(Object[] objects, double pad, int from, int to) {
+        for (int i = from; i < to; i++) {
+            Bounds b = objects[ids[i]].bounds();
+            int at = SIDES * i;
+            sides[at] = (float) (b.xmin() - middle[0] - pad);
+            sides[at + 1] = (float) (b.ymin() - middle[1] - pad);
+            sides[at + 2] = (float) (b.zmin() - middle[2] - pad);
+            sides[at + 3] = (float) (b.xmax() - middle[0] + pad);
+            sides[at + 4] = (float) (b.ymax() - middle[1] + pad);
+            sides[at + 5] = (float) (b.zmax() - middle[2] + pad);
+        }
     }
 
     /** {@return a length that is more than all rounding of a ray's way} */

@@ -5,10 +5,15 @@ package simpleray.accel;
  * <em>Constant.</em>
  *
  * @param side how many cells there are along an edge
+ * @param half half of it
  */
-record Cube(int side) {
+record Cube(int side, double half) {
     /** How many faces there are; face 2 a looks along axis a, and face 2 a + 1 the other way. */
     static final int FACES = 6;
+
+    Cube(int side) {
+        this(side, 0.5 * side);
+    }
 
     /** {@return how many cells there are} */
     int cells() {
@@ -27,7 +32,7 @@ record Cube(int side) {
 
     /** {@return the column or row of a slope, from -1 to 1} */
     int column(double slope) {
-        return Math.max(0, Math.min(side - 1, (int) ((slope + 1) * 0.5 * side)));
+        return Math.max(0, Math.min(side - 1, (int) ((slope + 1) * half)));
     }
 
     /** {@return the slope where a column or row begins} */
@@ -37,8 +42,8 @@ record Cube(int side) {
 
     /** {@return the cell of a direction} */
     int cell(Direction d) {
-        int row = Math.min(side - 1, (int) ((d.along + 1) * 0.5 * side));   // its slopes are -1 or more: the same column as of those
-        int column = Math.min(side - 1, (int) ((d.across + 1) * 0.5 * side));
+        int row = Math.min(side - 1, (int) ((d.along + 1) * half));   // its slopes are -1 or more: the same column as of those
+        int column = Math.min(side - 1, (int) ((d.across + 1) * half));
         return (d.face * side + row) * side + column;
     }
 }

@@ -3,7 +3,6 @@ package simpleray.accel;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.ForkJoinTask;
-import java.util.stream.IntStream;
 import simpleray.math.Point;
 import simpleray.math.Vector;
 import simpleray.scene.DirectionalLight;
@@ -34,9 +33,8 @@ public final class Engine {
     final Point eye;
     final DirectionBuffer eyeBuffer;
     final DirectionBuffer[] lightBuffers;
-    /** The places of all objects, or of those that are not in the structure; and for each, that it may be as near as can be. */
-    final int[] inRow;
-    final double[] anywhere;
+    /** All objects, or those that are not in the structure. */
+    final FewBuffer everywhere;
     final FewBuffer eyeFew;
     final FewBuffer[] lightFew;
     private final boolean listed;                             // whether the eye's lists were made if they can be
@@ -90,8 +88,7 @@ public final class Engine {
                 fromLights.add(lights[i] instanceof PointLight light ? pool.begin(() -> DirectionBuffer.of(boxes, light.origin)) : null);
             }
             primitives = new Primitives(all, boxes, unbounded);
-            inRow = IntStream.range(structure == null ? 0 : primitives.bounded, primitives.count()).toArray();
-            anywhere = new double[inRow.length];
+            everywhere = FewBuffer.everywhere(primitives, structure == null);
             eyeFew = lists ? few(eye) : null;
             for (int i = 0; i < buffers; i++) {
                 lightFew[i] = lights[i] instanceof PointLight light ? few(light.origin) : null;
@@ -117,8 +114,7 @@ public final class Engine {
         boxes = other.boxes;
         structure = other.structure;
         primitives = other.primitives;
-        inRow = other.inRow;
-        anywhere = other.anywhere;
+        everywhere = other.everywhere;
         boolean same = eye.x == other.eye.x && eye.y == other.eye.y && eye.z == other.eye.z;
         eyeFew = same ? other.eyeFew : few(eye);
         listed = lists || same && other.listed;
@@ -179,7 +175,9 @@ public final class Engine {
     public Tally tally() {
         Tally sum = new Tally();
         synchronized (tallies) {
-            tallies.forEach(sum::add);
+            for (Tally tally : tallies) {
+                sum.add(tally);
+            }
         }
         return sum;
     }

@@ -5,9 +5,17 @@ import simpleray.math.Point;
 
 /**
  * For each direction from a point, the planes that lie there, and where they are few the bounded objects, too, the nearest first; as
- * {@link DirectionBuffer}. <em>Constant.</em>
+ * {@link DirectionBuffer}. What a ray is asked about lies side by side in one array. <em>Constant</em>, but for {@link #exchange}.
  */
 final class FewBuffer {
+    /**
+     * Numbers an entry: how near the object is at least; a sphere's centre and radius, or a plane's normal and constant; its place in
+     * {@link Primitives}; and its kind. Behind the last of a list stands one that is neither near nor far: not a number.
+     */
+    static final int ENTRY = 7;
+    static final int PLACE = 5;
+    static final int KIND = 6;
+
     private static final int SIDE = 12;
     private static final int MOST_PLANES = 64;
     /** By what share of the numbers it is made of, and of the way to a plane, a plane may be nearer than worked out. */
@@ -16,20 +24,39 @@ final class FewBuffer {
     /** How many times as far away as a plane a ray may start: then its way is known to a tenth of the margin. */
     private static final double REACH = 1e9;
 
-    final Cube cube = new Cube(SIDE);
-    /** Where the list of each cell begins in {@link #places}, and at last where the last one ends. */
-    final int[] starts = new int[cube.cells() + 1];
-    /** The lists. */
-    int[] places = new int[2 * cube.cells()];
-    /** How near the object is at least, for each entry of a list. */
-    double[] near = new double[places.length];
+    private final Cube cube;
+    /** Where in {@link #numbers} the list of each cell begins. */
+    final int[] starts;
+    /** The entries, list by list. */
+    double[] numbers;
     /** Whether the bounded objects are in the lists. */
     final boolean whole;
     /** From how far away a ray may come towards the point: from farther, rounding lets it hit what is not on its way. */
     double reach = Double.POSITIVE_INFINITY;
+    private int end;
 
-    private FewBuffer(boolean whole) {
+    private FewBuffer(Cube cube, int cells, boolean whole) {
+        this.cube = cube;
         this.whole = whole;
+        starts = new int[cells];
+        numbers = new double[4 * ENTRY * cells];
+    }
+
+    private FewBuffer(FewBuffer other) {
+        cube = other.cube;
+        whole = other.whole;
+        starts = other.starts;
+        numbers = other.numbers.clone();
+    }
+
+    /** Lists the objects in no direction, as of everywhere: all, or only those that are not bounded. */
+    static FewBuffer everywhere(Primitives all, boolean whole) {
+        FewBuffer buffer = new FewBuffer(null, 1, whole);
+        for (int place = whole ? 0 : all.bounded; place < all.count(); place++) {
+            buffer.insert(all, 0, place, 0);
+        }
+        buffer.close();
+        return buffer;
     }
 
     /**
@@ -46,7 +73,8 @@ final class FewBuffer {
         if (count > MOST_PLANES || count + (seen == null ? 0 : seen.length) < 2) {
             return null;
         }
-        FewBuffer buffer = new FewBuffer(seen != null);
+        Cube cube = new Cube(SIDE);
+        FewBuffer buffer = new FewBuffer(cube, cube.cells(), seen != null);
         Plane[] planes = new Plane[count];
         for (int i = 0; i < count; i++) {
             planes[i] = new Plane(all, i, point);
@@ -55,53 +83,81 @@ final class FewBuffer {
         if (buffer.whole) {
             buffer.reach = Math.min(buffer.reach, boxes.reach());
         }
-        int listed = 0;
         for (int row = 0; row < Cube.FACES * SIDE; row++) {
             for (Plane plane : planes) {
-                plane.look(buffer.cube, row);
+                plane.look(cube, row);
             }
             for (int column = 0; column < SIDE; column++) {
-                listed = buffer.list(all, planes, seen, row, column, listed);
+                buffer.list(all, planes, seen, row, column);
             }
         }
-        buffer.starts[buffer.cube.cells()] = listed;
         return buffer;
     }
 
     /** Lists what lies in a cell, of a row that the planes look along. */
-    private int list(Primitives all, Plane[] planes, Seen[] seen, int row, int column, int first) {
+    private void list(Primitives all, Plane[] planes, Seen[] seen, int row, int column) {
+        int first = end;
         starts[row * SIDE + column] = first;
-        int listed = first;
         for (int i = 0; i < planes.length; i++) {
             double distance = planes[i].near(cube, column);
             if (distance < Double.POSITIVE_INFINITY) {
-                listed = insert(first, listed, all.bounded + i, distance);
+                insert(all, first, all.bounded + i, distance);
             }
         }
         for (int i = 0; whole && i < seen.length; i++) {
             if (seen[i].covers(row, column)) {
-                listed = insert(first, listed, i, seen[i].near);
+                insert(all, first, i, seen[i].near);
             }
         }
         for (int place = all.afterPlanes; place < all.count(); place++) {
-            listed = insert(first, listed, place, 0);
+            insert(all, first, place, 0);
         }
-        return listed;
+        close();
     }
 
-    private int insert(int first, int listed, int place, double distance) {
-        if (listed == places.length) {
-            places = Arrays.copyOf(places, 2 * listed);
-            near = Arrays.copyOf(near, 2 * listed);
+    /** Inserts an object into the list that is being made, where its distance belongs. */
+    private void insert(Primitives all, int first, int place, double distance) {
+        int at = next();
+        for (; at > first && numbers[at - ENTRY] > distance; at -= ENTRY) {
+            System.arraycopy(numbers, at - ENTRY, numbers, at, ENTRY);
         }
-        int at = listed;
-        for (; at > first && near[at - 1] > distance; at--) {
-            near[at] = near[at - 1];
-            places[at] = places[at - 1];
+        numbers[at] = distance;
+        all.copy(place, numbers, at + 1);
+        numbers[at + PLACE] = place;
+        numbers[at + KIND] = all.kind(place);
+    }
+
+    private void close() {
+        int at = next();                                      // which may put the numbers elsewhere
+        numbers[at] = Double.NaN;
+    }
+
+    private int next() {
+        int at = end;
+        end += ENTRY;
+        if (end > numbers.length) {
+            numbers = Arrays.copyOf(numbers, 2 * end);
         }
-        near[at] = distance;
-        places[at] = place;
-        return listed + 1;
+        return at;
+    }
+
+    /** {@return where the list of a direction begins} */
+    int start(Direction direction) {
+        return starts[cube.cell(direction)];
+    }
+
+    /** {@return the same lists, in which the order of entries can be changed} */
+    FewBuffer copy() {
+        return new FewBuffer(this);
+    }
+
+    /** Exchanges two entries. */
+    void exchange(int one, int other) {
+        for (int i = 0; i < ENTRY; i++) {
+            double number = numbers[one + i];
+            numbers[one + i] = numbers[other + i];
+            numbers[other + i] = number;
+        }
     }
 
     /** A plane as seen from the point: N·D / h, one over the way to it in direction D, is linear in D. */

@@ -2,11 +2,15 @@ package simpleray.accel;
 
 import java.util.Arrays;
 import simpleray.math.Ray;
+import simpleray.scene.Plane;
+import simpleray.scene.Sphere;
 
 /** Finds what rays hit first, and what stands between a point and a light. <em>Mutable</em>: one thread's own. */
 final class Finder {
     /** No object. */
     static final int NONE = -1;
+
+    private static final int NOW_AND_THEN = 7;
 
     /** Where the nearest hit is. */
     double t;
@@ -27,7 +31,7 @@ final class Finder {
     final Primitives all;
     private final Walk walk;
     private final int[] lastBlockers;                         // of the bounded objects, for each light
-    private final int[][] rows;                               // for each light that needs it: Engine.inRow, the last blocker first
+    private final FewBuffer[] rows;                           // for each light that needs it: Engine.everywhere, what was in its way of late first
 
     Finder(Engine engine) {
         this.engine = engine;
@@ -35,7 +39,7 @@ final class Finder {
         walk = engine.structure == null ? null : engine.structure.walk(this);
         lastBlockers = new int[engine.lights.length];
         Arrays.fill(lastBlockers, NONE);
-        rows = new int[engine.lights.length][];
+        rows = new FewBuffer[engine.lights.length];
     }
 
     /**
@@ -43,42 +47,48 @@ final class Finder {
      * in a row, in a method too long to become part of others: what is compiled once is compiled soon.
      */
     boolean nearest(Ray ray, boolean fromEye) {
-        double best = Double.POSITIVE_INFINITY;               // in locals, which the machine keeps at hand
+        double ox = ray.origin.x;                             // all in locals, which the machine keeps at hand
+        double oy = ray.origin.y;
+        double oz = ray.origin.z;
+        double dx = ray.direction.x;
+        double dy = ray.direction.y;
+        double dz = ray.direction.z;
+        FewBuffer few = engine.everywhere;
+        int start = 0;
+        if (fromEye) {
+            direction.set(dx, dy, dz);
+            if (engine.eyeFew != null) {
+                few = engine.eyeFew;
+                start = few.start(direction);
+            }
+        }
+        double[] n = few.numbers;
+        double best = Double.POSITIVE_INFINITY;
         int bestPlace = NONE;
         int bestOrder = Integer.MAX_VALUE;
-        FewBuffer few = null;
-        if (fromEye) {
-            direction.set(ray.direction.x, ray.direction.y, ray.direction.z);
-            few = engine.eyeFew;
-        }
-        int[] places = engine.inRow;
-        double[] near = engine.anywhere;
-        int first = 0;
-        int end = places.length;
-        boolean whole = walk == null;
-        if (few != null) {
-            places = few.places;
-            near = few.near;
-            int cell = few.cube.cell(direction);
-            first = few.starts[cell];
-            end = few.starts[cell + 1];
-            whole = few.whole;
-        }
-        int i = first;
-        for (; i < end && near[i] <= best; i++) {             // where one is farther, so are the rest
-            int place = places[i];
-            double at = all.intersect(place, ray);
+        int k = start;
+        for (; n[k] <= best; k += FewBuffer.ENTRY) {          // where one is farther, so are the rest; not a number ends the list
+            int place = (int) n[k + FewBuffer.PLACE];
+            double kind = n[k + FewBuffer.KIND];
+            double at;
+            if (kind == Primitives.SPHERE) {
+                at = Sphere.hit(ox - n[k + 1], oy - n[k + 2], oz - n[k + 3], dx, dy, dz, n[k + 4]);
+            } else if (kind == Primitives.PLANE) {
+                at = Plane.hit(n[k + 4] - (n[k + 1] * ox + n[k + 2] * oy + n[k + 3] * oz), n[k + 1] * dx + n[k + 2] * dy + n[k + 3] * dz);
+            } else {
+                at = all.objects[place].intersect(ray);
+            }
             if (at >= 0 && isBefore(at, all.order[place], best, bestOrder)) {
                 best = at;
                 bestPlace = place;
                 bestOrder = all.order[place];
             }
         }
-        tally.tests += i - first;
+        tally.tests += (k - start) / FewBuffer.ENTRY;
         t = best;
         hit = bestPlace;
         hitOrder = bestOrder;
-        if (!whole && all.bounded > 0) {
+        if (!few.whole && all.bounded > 0) {
             nearestBounded(ray, fromEye);
         }
         return hit != NONE;
@@ -172,41 +182,52 @@ final class Finder {
             return true;
         }
         FewBuffer few = null;
+        int start = 0;
         if (engine.directions[light] == null) {               // where the point is as the light sees it
             direction.set(-ray.direction.x, -ray.direction.y, -ray.direction.z);
             few = engine.lightFew[light];
         }
-        int[] places = rows[light];
-        double[] near = engine.anywhere;
-        int first = 0;
-        int end = engine.inRow.length;
         boolean inRow = few == null || distance > few.reach;
-        boolean whole = walk == null;
-        if (!inRow) {
-            places = few.places;
-            near = few.near;
-            int cell = few.cube.cell(direction);
-            first = few.starts[cell];
-            end = few.starts[cell + 1];
-            whole = few.whole;
-        } else if (places == null) {
-            places = engine.inRow.clone();
-            rows[light] = places;
+        if (inRow) {
+            few = rows[light];
+            if (few == null) {
+                few = engine.everywhere.copy();
+                rows[light] = few;
+            }
+        } else {
+            start = few.start(direction);
         }
+        double ox = ray.origin.x;
+        double oy = ray.origin.y;
+        double oz = ray.origin.z;
+        double dx = ray.direction.x;
+        double dy = ray.direction.y;
+        double dz = ray.direction.z;
+        double[] n = few.numbers;
         int blocker = NONE;
-        int i = first;
-        for (; i < end && blocker == NONE && near[i] <= distance; i++) {
-            int place = places[i];
-            if (isWithin(all.intersect(place, ray), distance) && (all.opaque || blocks(place))) {
+        int last = start;
+        int k = start;
+        for (; n[k] <= distance && blocker == NONE; k += FewBuffer.ENTRY) {
+            int place = (int) n[k + FewBuffer.PLACE];
+            double kind = n[k + FewBuffer.KIND];
+            double at;
+            if (kind == Primitives.SPHERE) {
+                at = Sphere.hit(ox - n[k + 1], oy - n[k + 2], oz - n[k + 3], dx, dy, dz, n[k + 4]);
+            } else if (kind == Primitives.PLANE) {
+                at = Plane.hit(n[k + 4] - (n[k + 1] * ox + n[k + 2] * oy + n[k + 3] * oz), n[k + 1] * dx + n[k + 2] * dy + n[k + 3] * dz);
+            } else {
+                at = all.objects[place].intersect(ray);
+            }
+            if (isWithin(at, distance) && (all.opaque || blocks(place))) {
                 blocker = place;
+                last = k;
             }
         }
-        tally.tests += i - first;
-        if (inRow && blocker != NONE) {                       // to be asked first the next time
-            places[i - 1] = places[0];
-            places[0] = blocker;
+        tally.tests += (k - start) / FewBuffer.ENTRY;
+        if (inRow && (shadows & NOW_AND_THEN) == 0) {
+            few.exchange(last, start);                        // to be asked first from now on
         }
-        if (!whole && blocker == NONE && all.bounded > 0) {
+        if (!few.whole && blocker == NONE && all.bounded > 0) {
             blocker = boundedBlocker(ray, distance, light);
             lastBlockers[light] = blocker == NONE ? lastBlockers[light] : blocker;
         }

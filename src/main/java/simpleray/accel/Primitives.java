@@ -1,6 +1,6 @@
 package simpleray.accel;
 
-import java.util.stream.IntStream;
+import java.util.Arrays;
 import simpleray.math.Bounds;
 import simpleray.math.Ray;
 import simpleray.math.Point;
@@ -16,6 +16,11 @@ import simpleray.scene.Sphere;
  * place in the scene. <em>Constant.</em>
  */
 final class Primitives {
+    /** Kinds of objects: spheres that are bounded, planes, and all others. */
+    static final int SPHERE = 0;
+    static final int PLANE = 1;
+    static final int OTHER = -1;
+
     /** Beyond this a float cannot say where something is. */
     private static final double FARTHEST = 1e17;
 
@@ -94,7 +99,14 @@ final class Primitives {
 
     /** {@return the places of the objects whose bounds a tree can hold, in order} */
     static int[] bounded(Object[] all) {
-        return IntStream.range(0, all.length).filter(i -> isBounded(all[i])).toArray();
+        int[] places = new int[all.length];
+        int count = 0;
+        for (int i = 0; i < all.length; i++) {
+            if (isBounded(all[i])) {
+                places[count++] = i;
+            }
+        }
+        return Arrays.copyOf(places, count);
     }
 
     /** {@return the places of all others, in order} */
@@ -128,24 +140,18 @@ final class Primitives {
         return all;
     }
 
-    /** {@return t of the hit of a ray on the object at a place, or {@link Object#MISS}} */
-    double intersect(int place, Ray ray) {
-        Point o = ray.origin;
-        Vector d = ray.direction;
+    /** {@return what kind the object at a place is of} */
+    int kind(int place) {
+        return place < bounded ? spheres[4 * place + 3] > 0 ? SPHERE : OTHER : place < afterPlanes ? PLANE : OTHER;
+    }
+
+    /** Copies the four numbers of a sphere or plane; of all else nothing. */
+    void copy(int place, double[] numbers, int at) {
         if (place < bounded) {
-            int at = 4 * place;
-            double radius = spheres[at + 3];
-            return radius > 0 ? Sphere.hit(o.x - spheres[at], o.y - spheres[at + 1], o.z - spheres[at + 2], d.x, d.y, d.z, radius)
-                : objects[place].intersect(ray);
+            System.arraycopy(spheres, 4 * place, numbers, at, 4);
+        } else if (place < afterPlanes) {
+            System.arraycopy(planes, 4 * (place - bounded), numbers, at, 4);
         }
-        if (place < afterPlanes) {
-            int at = 4 * (place - bounded);
-            double nx = planes[at];
-            double ny = planes[at + 1];
-            double nz = planes[at + 2];
-            return Plane.hit(planes[at + 3] - (nx * o.x + ny * o.y + nz * o.z), nx * d.x + ny * d.y + nz * d.z);
-        }
-        return objects[place].intersect(ray);
     }
 
     /** {@return t of the hit of a ray on the bounded object at a place, or {@link Object#MISS}} */

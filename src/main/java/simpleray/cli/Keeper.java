@@ -41,7 +41,12 @@ final class Keeper implements RowSink, Closeable {
     private final Notes notes;
     private final long start = System.nanoTime();
     private long late;
-    private final Thread hook = new Thread(this::interrupted, "simpleray-interrupted");
+    private final Thread hook = new Thread("simpleray-interrupted") {
+        @Override
+        public void run() {
+            Keeper.this.interrupted();
+        }
+    };
     private final CountDownLatch closed = new CountDownLatch(1);
     private Thread timer;
     private List<Early> early;                                // null if rows are not kept in memory
@@ -134,7 +139,12 @@ final class Keeper implements RowSink, Closeable {
             checkpoint = create(identity.get());
         } else {
             early = new ArrayList<>();
-            timer = new Thread(this::beginLate, "simpleray-checkpoint");
+            timer = new Thread("simpleray-checkpoint") {
+                @Override
+                public void run() {
+                    beginLate();
+                }
+            };
             timer.setDaemon(true);
             timer.start();
         }

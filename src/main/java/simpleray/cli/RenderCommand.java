@@ -6,8 +6,10 @@ import java.io.OutputStream;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.CancellationException;
+import java.util.function.Supplier;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -19,6 +21,7 @@ import simpleray.render.PictureIdentity;
 import simpleray.render.Progress;
 import simpleray.render.Provenance;
 import simpleray.render.Region;
+import simpleray.render.RenderListener;
 import simpleray.render.RenderRequest;
 import simpleray.render.Renderer;
 import simpleray.scene.Scene;
@@ -116,8 +119,13 @@ final class RenderCommand implements PlainCommand {
         asked.tell(Provenance.of(request, read));
         Memory.require("a picture of " + asked.width() + 'x' + asked.height(),
             renderer.bytesNeeded() + PngWriter.bytesNeeded(asked.width(), renderer.rowsAhead()));
-        try (Keeper keeper = new Keeper(kept, renderer, () -> PictureIdentity.of(Main.version(), request, read.scene()),
-                new Keeper.Notes(main.err(), work.quiet(), main.args()))) {
+        Supplier<Map<String, String>> identity = new Supplier<>() {
+            @Override
+            public Map<String, String> get() {
+                return PictureIdentity.of(Main.version(), request, read.scene());
+            }
+        };
+        try (Keeper keeper = new Keeper(kept, renderer, identity, new Keeper.Notes(main.err(), work.quiet(), main.args()))) {
             if (output.equals(SceneArgument.STREAM)) {
                 toStream(renderer, keeper);
             } else {
@@ -170,10 +178,13 @@ final class RenderCommand implements PlainCommand {
         PngWriter png = new PngWriter(rendered, out, keeper);
         ProgressPrinter printer = work.printer(new Progress(rendered.height(), start, keeper.known()), main.err());
         try {
-            renderer.render(y -> {
-                write(png, y);
-                rendered.release(y);
-                printer.rowFinished(y);
+            renderer.render(new RenderListener() {
+                @Override
+                public void rowFinished(int y) {
+                    write(png, y);
+                    rendered.release(y);
+                    printer.rowFinished(y);
+                }
             });
         } catch (UncheckedIOException e) {
             throw e.getCause();

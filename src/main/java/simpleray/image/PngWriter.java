@@ -110,7 +110,12 @@ public final class PngWriter {
     }
 
     private synchronized PngStrip strip(int i) {
-        return begun.computeIfAbsent(i, k -> new PngStrip(Math.min(stripRows, picture.height() - k * stripRows), picture.width()));
+        PngStrip strip = begun.get(i);
+        if (strip == null) {
+            strip = new PngStrip(Math.min(stripRows, picture.height() - i * stripRows), picture.width());
+            begun.put(i, strip);
+        }
+        return strip;
     }
 
     /** Writes a strip, if it is its turn, and those that waited for it. Others wait meanwhile: what they hold must not pile up. */

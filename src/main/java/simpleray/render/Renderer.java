@@ -19,6 +19,7 @@ import simpleray.scene.Scene;
  * not change meanwhile.
  */
 public final class Renderer {
+    // On the way of a plain rendering stands no lambda, here and elsewhere: the first ones take 10 ms of each start.
     /** Room for {@link RenderSettings#MOST_DEPTH} reflections within reflections, in bytes. */
     private static final long STACK = 8L << 20;
 
@@ -118,7 +119,12 @@ public final class Renderer {
      * @throws CancellationException if it was cancelled, or the calling thread was interrupted
      */
     public Picture render(RenderListener listener) {
-        return renderBy(engine -> work(engine, listener));
+        return renderBy(new Consumer<>() {
+            @Override
+            public void accept(Engine engine) {
+                work(engine, listener);
+            }
+        });
     }
 
     /**
@@ -170,7 +176,12 @@ public final class Renderer {
         long begin = System.nanoTime();
         List<Thread> workers = new ArrayList<>();
         for (int i = 0; i < threads(); i++) {
-            Thread worker = new Thread(null, () -> run(work, engine), "simpleray-worker-" + (i + 1), STACK);
+            Thread worker = new Thread(null, new Runnable() {
+                @Override
+                public void run() {
+                    Renderer.this.run(work, engine);
+                }
+            }, "simpleray-worker-" + (i + 1), STACK);
             worker.setDaemon(true);
             try {
                 worker.start();
@@ -182,7 +193,9 @@ public final class Renderer {
             }
             workers.add(worker);
         }
-        workers.forEach(this::await);
+        for (Thread worker : workers) {
+            await(worker);
+        }
         this.work = new Work(engine == null ? null : engine.tally(), Progress.seconds(start, begin),
             Progress.seconds(begin, System.nanoTime()));
         if (fault.get() instanceof Error error) {

@@ -3,13 +3,11 @@ package simpleray.scene;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.function.Supplier;
-import java.util.stream.Collectors;
 import simpleray.text.SceneReader;
 import simpleray.text.SceneWriter;
 
 /**
- * Ties the codes in a scene file to classes, and reads and writes whole lists by them. <em>Mutable</em> only while its lines are added.
+ * Ties the codes in a scene file to classes, and reads and writes whole lists by them. <em>Mutable</em> only while its kinds are added.
  *
  * @param <T> what is listed
  */
@@ -19,9 +17,25 @@ final class KindTable<T extends SceneElement> {
     private static final int MORE_ROOM = 4;
 
     private final String what;
-    private final List<Line<T>> lines = new ArrayList<>();
+    private final List<Kind<T>> kinds = new ArrayList<>();
 
-    private record Line<T>(int code, String name, Class<? extends T> type, Supplier<? extends T> maker) {
+    /**
+     * A kind of what is listed: its code, its name for messages, its class, and how an empty one is made to be read into.
+     *
+     * @param <T> what is listed
+     */
+    abstract static class Kind<T> {
+        private final int code;
+        private final String name;
+        private final Class<? extends T> type;
+
+        Kind(int code, String name, Class<? extends T> type) {
+            this.code = code;
+            this.name = name;
+            this.type = type;
+        }
+
+        abstract T make();
     }
 
     /**
@@ -33,9 +47,8 @@ final class KindTable<T extends SceneElement> {
         this.what = what;
     }
 
-    /** Adds a line: the code, its name for messages, the class, and how an empty one is made to be read into. */
-    KindTable<T> add(int code, String name, Class<? extends T> type, Supplier<? extends T> maker) {
-        lines.add(new Line<>(code, name, type, maker));
+    KindTable<T> add(Kind<T> kind) {
+        kinds.add(kind);
         return this;
     }
 
@@ -49,8 +62,12 @@ final class KindTable<T extends SceneElement> {
     /** Reads n things into a list, which holds those before the first that cannot be read. */
     @SuppressWarnings("NonApiType")                            // no other list can be told how much room it will need
     void readAll(SceneReader is, int n, Lines places, ArrayList<T> all) throws IOException {
-        String known = lines.stream().map(line -> line.code + " " + line.name).collect(Collectors.joining(", "));
-        String field = "type (" + known + "; " + counted(n) + " announced)";
+        StringBuilder field = new StringBuilder("type (");
+        for (Kind<T> kind : kinds) {
+            field.append(kind.code).append(' ').append(kind.name).append(", ");
+        }
+        field.setLength(field.length() - 2);
+        String type = field.append("; ").append(counted(n)).append(" announced)").toString();
         int room = 0;
         for (int i = 1; i <= n; i++) {
             if (i > room) {
@@ -58,7 +75,7 @@ final class KindTable<T extends SceneElement> {
                 all.ensureCapacity(room);
             }
             is.enter(what, i);
-            T thing = create(is, field);
+            T thing = create(is, type);
             places.add(is.line());
             thing.read(is);
             all.add(thing);
@@ -74,10 +91,9 @@ final class KindTable<T extends SceneElement> {
 
     private T create(SceneReader is, String field) throws IOException {
         int code = is.readInt(field, Integer.MIN_VALUE, Integer.MAX_VALUE);
-        for (int i = 0; i < lines.size(); i++) {
-            Line<T> line = lines.get(i);
-            if (line.code == code) {
-                return line.maker.get();
+        for (int i = 0; i < kinds.size(); i++) {
+            if (kinds.get(i).code == code) {
+                return kinds.get(i).make();
             }
         }
         throw is.stop(field);
@@ -94,13 +110,25 @@ final class KindTable<T extends SceneElement> {
     }
 
     private int code(T thing) {
-        return lines.stream().filter(line -> line.type == thing.getClass()).findFirst()
-            .orElseThrow(() -> new IllegalArgumentException("a scene file has no code for " + thing.getClass().getName())).code;
+        Kind<T> kind = kind(thing);
+        if (kind == null) {
+            throw new IllegalArgumentException("a scene file has no code for " + thing.getClass().getName());
+        }
+        return kind.code;
     }
 
     /** {@return what kind of thing it is, as messages say it} One that no scene file knows is called by its class. */
     String name(T thing) {
-        return lines.stream().filter(line -> line.type == thing.getClass()).map(Line::name).findFirst()
-            .orElseGet(() -> thing.getClass().getSimpleName());
+        Kind<T> kind = kind(thing);
+        return kind == null ? thing.getClass().getSimpleName() : kind.name;
+    }
+
+    private Kind<T> kind(T thing) {
+        for (Kind<T> kind : kinds) {
+            if (kind.type == thing.getClass()) {
+                return kind;
+            }
+        }
+        return null;
     }
 }

@@ -1,10 +1,12 @@
 package simpleray.scene;
 
+import simpleray.scene.KindTable.Kind;
+
 /** The kinds of light that a scene file knows: a new one is a class and a line here. */
 final class LightKind {
     static final KindTable<Light> TABLE = new KindTable<Light>("light")
-        .add(0, "point light", PointLight.class, PointLight::new)
-        .add(1, "directional light", DirectionalLight.class, DirectionalLight::new);
+        .add(new Kind<>(0, "point light", PointLight.class) { @Override Light make() { return new PointLight(); } })
+        .add(new Kind<>(1, "directional light", DirectionalLight.class) { @Override Light make() { return new DirectionalLight(); } });
 
     private LightKind() {
     }

@@ -1,6 +1,7 @@
 package simpleray.scene;
 
 import java.io.IOException;
+import java.util.function.Supplier;
 import simpleray.math.Colour;
 import simpleray.text.SceneReader;
 
@@ -9,6 +10,13 @@ import simpleray.text.SceneReader;
  * <em>Mutable,</em> for one thread.
  */
 final class Materials {
+    static final Supplier<Materials> MAKER = new Supplier<>() {
+        @Override
+        public Materials get() {
+            return new Materials();
+        }
+    };
+
     private static final int FIRST_SIZE = 64;
     /** So many places are looked at; a material that is not found there, which hardly happens, is not shared. */
     private static final int MOST_PROBES = 256;

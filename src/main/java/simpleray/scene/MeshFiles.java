@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Supplier;
 import simpleray.text.Problem;
 import simpleray.text.SceneFormatException;
 import simpleray.text.SceneReader;
@@ -36,7 +37,12 @@ final class MeshFiles {
 
     /** {@return those of a scene of which nothing has been read yet, and which may name files that are in reach} */
     static MeshFiles of(SceneReader is, Reach reach) {
-        return is.kept(MeshFiles.class, () -> new MeshFiles(reach));
+        return is.kept(MeshFiles.class, new Supplier<>() {
+            @Override
+            public MeshFiles get() {
+                return new MeshFiles(reach);
+            }
+        });
     }
 
     /**

@@ -115,6 +115,6 @@ public abstract class Object implements SceneElement {
      * @throws IOException if it is not there
      */
     protected final void readMaterial(SceneReader is) throws IOException {
-        surfaceMaterial = is.kept(Materials.class, Materials::new).read(is);
+        surfaceMaterial = is.kept(Materials.class, Materials.MAKER).read(is);
     }
 }

@@ -153,9 +153,12 @@ public record SceneFile(Scene scene, List<Problem> warnings, SceneText text) {
         }
         SceneReader reader = new SceneReader(in, name, folder);
         MeshFiles meshes = MeshFiles.of(reader, reach);
-        Scene scene = read(reader, () -> {
-            byte[] text = in.rest(Recount.MOST_BYTES);
-            return text == null ? null : new Recount(() -> new SceneReader(new ByteArrayInputStream(text), name, folder), reach);
+        Scene scene = read(reader, new Again() {
+            @Override
+            public Recount get() throws IOException {
+                byte[] text = in.rest(Recount.MOST_BYTES);
+                return text == null ? null : new Recount(() -> new SceneReader(new ByteArrayInputStream(text), name, folder), reach);
+            }
         });
         String base = name.equals(STREAM) ? "stdin" : Path.of(name).getFileName().toString();
         return new SceneFile(scene, reader.warnings(), new SceneText(base, in.sha256(), in.kept(), List.copyOf(meshes.read)));

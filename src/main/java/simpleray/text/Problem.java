@@ -85,7 +85,10 @@ public record Problem(String file, int line, int column, boolean error, String m
      */
     public static String printable(String text) {
         StringBuilder shown = new StringBuilder(text.length());
-        text.codePoints().forEach(c -> shown.appendCodePoint(c != '\t' && (Character.isISOControl(c) || isHidden(c)) ? '\uFFFD' : c));
+        for (int i = 0; i < text.length(); i = text.offsetByCodePoints(i, 1)) {
+            int c = text.codePointAt(i);
+            shown.appendCodePoint(c != '\t' && (Character.isISOControl(c) || isHidden(c)) ? '\uFFFD' : c);
+        }
         return shown.toString();
     }
 }

@@ -111,7 +111,12 @@ public final class SceneBytes extends InputStream {
             return;
         }
         if (digester == null) {
-            digester = new Thread(this::digest, "simpleray-digest");
+            digester = new Thread("simpleray-digest") {
+                @Override
+                public void run() {
+                    digest();
+                }
+            };
             digester.setDaemon(true);
             digester.start();
             for (Piece before : first) {
@@ -164,7 +169,9 @@ public final class SceneBytes extends InputStream {
                     throw interrupted();
                 }
             } else {
-                first.forEach(piece -> sum.update(piece.bytes, 0, piece.length));
+                for (Piece piece : first) {
+                    sum.update(piece.bytes, 0, piece.length);
+                }
             }
             hex = sum.hex();
         }

@@ -76,7 +76,12 @@ public final class SceneReader implements Closeable {
      * @return the same each time
      */
     public <T> T kept(Class<T> type, Supplier<? extends T> maker) {
-        return type.cast(kept.computeIfAbsent(type, absent -> maker.get()));
+        T made = type.cast(kept.get(type));
+        if (made == null) {
+            made = maker.get();
+            kept.put(type, made);
+        }
+        return made;
     }
 
     /**

@@ -68,16 +68,17 @@ final class StatusBar extends JPanel {
         pixel.setToolTipText(line.isBlank() ? null : line);   // a narrow window cuts it
     }
 
-    void show(Rendering rendering, Dimension shown) {
+    /** Shows how far a rendering is, in a state that it has or had a moment ago. */
+    void show(Rendering rendering, Rendering.State state, Dimension shown) {
         Progress progress = rendering.progress();
         int rows = progress == null ? shown.height : progress.rows();
         int done = progress == null ? 0 : progress.finished();
         bar.setMaximum(rows);
         bar.setValue(done);
-        bar.setVisible(!rendering.state().ended());
+        bar.setVisible(!state.ended());
         size.setText(shown.width + " \u00D7 " + shown.height + ", " + rendering.request().stage());
         String counted = done + " of " + rows + " rows, " + Progress.time(rendering.seconds());
-        say(switch (rendering.state()) {
+        say(switch (state) {
             case READING -> "Reading the scene";
             case RENDERING -> rendering.isPaused() ? "Paused: " + counted : "Rendering: " + counted + ", "
                 + Progress.time(progress == null ? Double.NaN : progress.left(System.nanoTime())) + " left";

@@ -219,7 +219,7 @@ final class ViewerFrame extends JFrame {
     /** Shows how far the rendering is, in place of a message. */
     void showProgress() {
         if (picture.rendering() != null) {
-            status.show(picture.rendering(), picture.size100());
+            status.show(picture.rendering(), picture.rendering().state(), picture.size100());
         }
     }
 
@@ -277,16 +277,17 @@ final class ViewerFrame extends JFrame {
             doubted = rendering;
             doubting = false;
         }
-        if (rendering == doubted && rendering.state() == Rendering.State.FAILED) {
+        Rendering.State state = rendering.state();            // asked once: it may fail at any moment
+        if (rendering == doubted && state == Rendering.State.FAILED) {
             if (!patience.isRunning() && banner.message(GONE) == null) {
                 patience.start();
             }
             return;
         }
-        status.show(rendering, picture.size100());
+        status.show(rendering, state, picture.size100());
         inspector.update(rendering);
         String text = rendering.problems();
-        if (rendering.state() != Rendering.State.READING && (rendering != told || !text.equals(toldText))) {
+        if (state != Rendering.State.READING && (rendering != told || !text.equals(toldText))) {
             told = rendering;
             toldText = text;
             showProblems(rendering);
