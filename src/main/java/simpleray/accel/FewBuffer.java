@@ -5,7 +5,8 @@ import simpleray.math.Point;
 
 /**
  * For each direction from a point, the planes that lie there, and where they are few the bounded objects, too, the nearest first; as
- * {@link DirectionBuffer}. What a ray is asked about lies side by side in one array. <em>Constant</em>, but for {@link #exchange}.
+ * {@link DirectionBuffer}. What a ray is asked about lies side by side in one array. <em>Constant</em>, but for a {@link #copy}, which
+ * belongs to one thread.
  */
 final class FewBuffer {
     /**
@@ -16,6 +17,7 @@ final class FewBuffer {
     static final int PLACE = 5;
     static final int KIND = 6;
 
+    private static final int NOW_AND_THEN = 15;
     private static final int SIDE = 12;
     private static final int MOST_PLANES = 64;
     /** By what share of the numbers it is made of, and of the way to a plane, a plane may be nearer than worked out. */
@@ -34,6 +36,7 @@ final class FewBuffer {
     /** From how far away a ray may come towards the point: from farther, rounding lets it hit what is not on its way. */
     double reach = Double.POSITIVE_INFINITY;
     private int end;
+    private int asked;
 
     private FewBuffer(Cube cube, int cells, boolean whole) {
         this.cube = cube;
@@ -151,13 +154,16 @@ final class FewBuffer {
         return new FewBuffer(this);
     }
 
+    /** {@return whether it is time to ask something else first: now and then, as it is mostly the same that is in the way} */
+    boolean isDue() {
+        return (++asked & NOW_AND_THEN) == 0;
+    }
+
     /** Exchanges two entries. */
     void exchange(int one, int other) {
-        for (int i = 0; i < ENTRY; i++) {
-            double number = numbers[one + i];
-            numbers[one + i] = numbers[other + i];
-            numbers[other + i] = number;
-        }
+        double[] kept = Arrays.copyOfRange(numbers, one, one + ENTRY);
+        System.arraycopy(numbers, other, numbers, one, ENTRY);
+        System.arraycopy(kept, 0, numbers, other, ENTRY);
     }
 
     /** A plane as seen from the point: N·D / h, one over the way to it in direction D, is linear in D. */

@@ -10,8 +10,6 @@ final class Finder {
     /** No object. */
     static final int NONE = -1;
 
-    private static final int NOW_AND_THEN = 7;
-
     /** Where the nearest hit is. */
     double t;
     /** Which object is hit there, a place in {@link Primitives}, or {@link #NONE}. */
@@ -31,7 +29,7 @@ final class Finder {
     final Primitives all;
     private final Walk walk;
     private final int[] lastBlockers;                         // of the bounded objects, for each light
-    private final FewBuffer[] rows;                           // for each light that needs it: Engine.everywhere, what was in its way of late first
+    private final FewBuffer[] rows;                           // for each light that needs it: all, what was in its way of late first
 
     Finder(Engine engine) {
         this.engine = engine;
@@ -224,7 +222,7 @@ final class Finder {
             }
         }
         tally.tests += (k - start) / FewBuffer.ENTRY;
-        if (inRow && (shadows & NOW_AND_THEN) == 0) {
+        if (inRow && few.isDue()) {
             few.exchange(last, start);                        // to be asked first from now on
         }
         if (!few.whole && blocker == NONE && all.bounded > 0) {

@@ -153,7 +153,7 @@ final class Worker implements RayTracer {
                 if (finder.isBlocked(hit.towards, distance, i)) {
                     continue;
                 }
-                light = dimmed(light);
+                light = finder.dimmers == 0 ? light : dimmed(light);
             }
             if (light.isBlack()) {
                 continue;
@@ -183,9 +183,6 @@ final class Worker implements RayTracer {
     /** Dims a light by all that lets some through, in the order of the scene: products depend on it in the last bit. */
     private Colour dimmed(Colour light) {
         int count = finder.dimmers;
-        if (count == 0) {
-            return light;
-        }
         int[] order = new int[count];
         for (int i = 0; i < count; i++) {
             order[i] = engine.primitives.order[finder.dimming[i]];

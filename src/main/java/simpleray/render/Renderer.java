@@ -24,7 +24,7 @@ public final class Renderer {
     private static final long STACK = 8L << 20;
 
     private static final int WARM_UP_RAYS = 50;
-    private static final int WARM_UP = 4000;
+    private static final int WARM_UP = 600;
     /** From so many pixels on a picture is worth it. */
     private static final int LARGE = 250_000;
     private static final double ACROSS = 0.7548776662466927;

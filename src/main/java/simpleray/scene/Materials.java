@@ -1,7 +1,7 @@
 package simpleray.scene;
 
 import java.io.IOException;
-import java.util.function.Supplier;
+import java.util.function.Function;
 import simpleray.math.Colour;
 import simpleray.text.SceneReader;
 
@@ -10,9 +10,9 @@ import simpleray.text.SceneReader;
  * <em>Mutable,</em> for one thread.
  */
 final class Materials {
-    static final Supplier<Materials> MAKER = new Supplier<>() {
+    static final Function<Class<?>, Materials> MAKER = new Function<>() {
         @Override
-        public Materials get() {
+        public Materials apply(Class<?> type) {
             return new Materials();
         }
     };

@@ -10,7 +10,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.function.Supplier;
+import java.util.function.Function;
 import simpleray.text.Problem;
 import simpleray.text.SceneFormatException;
 import simpleray.text.SceneReader;
@@ -37,9 +37,9 @@ final class MeshFiles {
 
     /** {@return those of a scene of which nothing has been read yet, and which may name files that are in reach} */
     static MeshFiles of(SceneReader is, Reach reach) {
-        return is.kept(MeshFiles.class, new Supplier<>() {
+        return is.kept(MeshFiles.class, new Function<>() {
             @Override
-            public MeshFiles get() {
+            public MeshFiles apply(Class<?> type) {
                 return new MeshFiles(reach);
             }
         });

@@ -10,7 +10,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import java.util.function.Supplier;
+import java.util.function.Function;
 
 /**
  * Reads values from a scene file (thesis, chapter 5). <em>Mutable</em>, for one thread.
@@ -72,16 +72,11 @@ public final class SceneReader implements Closeable {
      *
      * @param <T> its class, of which there is one
      * @param type its class
-     * @param maker makes it when it is first asked for
+     * @param maker makes it, of its class, when it is first asked for
      * @return the same each time
      */
-    public <T> T kept(Class<T> type, Supplier<? extends T> maker) {
-        T made = type.cast(kept.get(type));
-        if (made == null) {
-            made = maker.get();
-            kept.put(type, made);
-        }
-        return made;
+    public <T> T kept(Class<T> type, Function<Class<?>, T> maker) {
+        return type.cast(kept.computeIfAbsent(type, maker));
     }
 
     /**

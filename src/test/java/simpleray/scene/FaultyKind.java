@@ -21,7 +21,12 @@ public final class FaultyKind extends Object {
 
     /** Runs the program. */
     public static void main(String[] args) {
-        ObjectKind.TABLE.add(99, "faulty", FaultyKind.class, FaultyKind::new);
+        ObjectKind.TABLE.add(new KindTable.Kind<>(99, "faulty", FaultyKind.class) {
+            @Override
+            Object make() {
+                return new FaultyKind();
+            }
+        });
         System.exit(Main.run(args, System.in, new FileOutputStream(FileDescriptor.out), System.err));
     }
 

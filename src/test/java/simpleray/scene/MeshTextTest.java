@@ -58,7 +58,7 @@ class MeshTextTest {
     void fromAStreamAFileIsFoundByItsFullPath() throws IOException {
         Mesh mesh = new Mesh();
         SceneReader is = reader('"' + folder.resolve("cube #1.obj").toString() + "\" 0 0 0 1 " + MATERIAL);
-        is.kept(MeshFiles.class, () -> new MeshFiles(Reach.ANYWHERE));
+        is.kept(MeshFiles.class, type -> new MeshFiles(Reach.ANYWHERE));
         mesh.read(is);
         assertThat(mesh.size()).isEqualTo(12);
     }

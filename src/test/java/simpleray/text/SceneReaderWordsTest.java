@@ -120,9 +120,9 @@ class SceneReaderWordsTest {
     void whatReadersShareIsMadeOnce() {
         SceneReader is = reader("");
 
-        StringBuilder first = is.kept(StringBuilder.class, StringBuilder::new);
+        StringBuilder first = is.kept(StringBuilder.class, type -> new StringBuilder());
 
-        assertThat(first).isNotNull().isSameAs(is.kept(StringBuilder.class, () -> new StringBuilder("another")));
+        assertThat(first).isNotNull().isSameAs(is.kept(StringBuilder.class, type -> new StringBuilder("another")));
     }
 
     @Test
