@@ -76,7 +76,7 @@ final class Finder {
             } else {
                 at = all.objects[place].intersect(ray);
             }
-            if (at >= 0 && isBefore(at, all.order[place], best, bestOrder)) {
+            if (isBefore(at, all.order[place], best, bestOrder)) {
                 best = at;
                 bestPlace = place;
                 bestOrder = all.order[place];
@@ -105,7 +105,7 @@ final class Finder {
     void nearestOfRange(Ray ray, int first, int end) {
         for (int i = first; i < end; i++) {
             double at = all.intersectBounded(i, ray);
-            if (at >= 0 && isBefore(at, all.order[i], t, hitOrder)) {
+            if (isBefore(at, all.order[i], t, hitOrder)) {
                 t = at;
                 hit = i;
                 hitOrder = all.order[i];
@@ -122,7 +122,7 @@ final class Finder {
         for (int i = first; i < end; i++) {
             int place = places[i];
             double at = all.intersectBounded(place, ray);
-            if (at >= 0 && isBefore(at, all.order[place], best, bestOrder)) {
+            if (isBefore(at, all.order[place], best, bestOrder)) {
                 best = at;
                 bestPlace = place;
                 bestOrder = all.order[place];
@@ -146,7 +146,7 @@ final class Finder {
         for (; i < end && buffer.near[buffer.places[i]] <= best; i++) {
             int place = buffer.places[i];
             double at = all.intersectBounded(place, ray);
-            if (at >= 0 && isBefore(at, all.order[place], best, bestOrder)) {
+            if (isBefore(at, all.order[place], best, bestOrder)) {
                 best = at;
                 bestPlace = place;
                 bestOrder = all.order[place];
@@ -159,11 +159,13 @@ final class Finder {
     }
 
     /**
-     * {@return whether a hit is nearer than the nearest one, or as near and of an object that is listed earlier} Both are 0 or more, and so in the
-     * order of their bits. Ties are rare: a branch for them would be compiled only once one is met.
+     * {@return whether a hit, not a miss, is nearer than the nearest one, or as near and of an object that is listed earlier} Bits of numbers that
+     * are 0 or more are in their order, and those of a miss, without a sign, beyond them all. So this is one question: of several, some might be
+     * answered for the first time long after the machine has compiled them.
      */
     private static boolean isBefore(double at, int order, double nearest, int nearestOrder) {
-        return Double.doubleToRawLongBits(at) - Double.doubleToRawLongBits(nearest) - (order - nearestOrder >>> Integer.SIZE - 1) < 0;
+        int listedEarlier = order - nearestOrder >>> Integer.SIZE - 1;
+        return Double.doubleToRawLongBits(at) + Long.MIN_VALUE < Double.doubleToRawLongBits(nearest) + listedEarlier + Long.MIN_VALUE;
     }
 
     /**
@@ -248,10 +250,7 @@ final class Finder {
         return walk != null && walk.canFollow(ray) ? walk.blocker(ray, distance) : blockerOfRange(ray, distance, 0, all.bounded);
     }
 
-    /**
-     * {@return whether a hit, not a miss, is nearer than a distance} The bits of a negative number, without a sign, are those of a large one. So
-     * this is one question: of two, one might be answered for the first time long after the machine has compiled them.
-     */
+    /** {@return whether a hit, not a miss, is nearer than a distance} Likewise one question. */
     private static boolean isWithin(double at, double distance) {
         return Double.doubleToRawLongBits(at) + Long.MIN_VALUE < Double.doubleToRawLongBits(distance) + Long.MIN_VALUE;
     }
