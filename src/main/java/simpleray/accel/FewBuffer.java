@@ -37,6 +37,7 @@ final class FewBuffer {
     double reach = Double.POSITIVE_INFINITY;
     private int end;
     private int asked;
+    private final double[] spare = new double[ENTRY];         // for an exchange: nothing is made for a ray
 
     private FewBuffer(Cube cube, int cells, boolean whole) {
         this.cube = cube;
@@ -161,9 +162,9 @@ final class FewBuffer {
 
     /** Exchanges two entries. */
     void exchange(int one, int other) {
-        double[] kept = Arrays.copyOfRange(numbers, one, one + ENTRY);
+        System.arraycopy(numbers, one, spare, 0, ENTRY);
         System.arraycopy(numbers, other, numbers, one, ENTRY);
-        System.arraycopy(kept, 0, numbers, other, ENTRY);
+        System.arraycopy(spare, 0, numbers, other, ENTRY);
     }
 
     /** A plane as seen from the point: N·D / h, one over the way to it in direction D, is linear in D. */

@@ -1,7 +1,9 @@
 package simpleray.accel;
 
 import java.util.Arrays;
+import simpleray.math.Point;
 import simpleray.math.Ray;
+import simpleray.math.Vector;
 import simpleray.scene.Plane;
 import simpleray.scene.Sphere;
 
@@ -45,37 +47,23 @@ final class Finder {
      * in a row, in a method too long to become part of others: what is compiled once is compiled soon.
      */
     boolean nearest(Ray ray, boolean fromEye) {
-        double ox = ray.origin.x;                             // all in locals, which the machine keeps at hand
-        double oy = ray.origin.y;
-        double oz = ray.origin.z;
-        double dx = ray.direction.x;
-        double dy = ray.direction.y;
-        double dz = ray.direction.z;
         FewBuffer few = engine.everywhere;
         int start = 0;
         if (fromEye) {
-            direction.set(dx, dy, dz);
+            direction.set(ray.direction.x, ray.direction.y, ray.direction.z);
             if (engine.eyeFew != null) {
                 few = engine.eyeFew;
                 start = few.start(direction);
             }
         }
         double[] n = few.numbers;
-        double best = Double.POSITIVE_INFINITY;
+        double best = Double.POSITIVE_INFINITY;               // in locals, which the machine keeps at hand
         int bestPlace = NONE;
         int bestOrder = Integer.MAX_VALUE;
         int k = start;
         for (; n[k] <= best; k += FewBuffer.ENTRY) {          // where one is farther, so are the rest; not a number ends the list
             int place = (int) n[k + FewBuffer.PLACE];
-            double kind = n[k + FewBuffer.KIND];
-            double at;
-            if (kind == Primitives.SPHERE) {
-                at = Sphere.hit(ox - n[k + 1], oy - n[k + 2], oz - n[k + 3], dx, dy, dz, n[k + 4]);
-            } else if (kind == Primitives.PLANE) {
-                at = Plane.hit(n[k + 4] - (n[k + 1] * ox + n[k + 2] * oy + n[k + 3] * oz), n[k + 1] * dx + n[k + 2] * dy + n[k + 3] * dz);
-            } else {
-                at = all.objects[place].intersect(ray);
-            }
+            double at = intersect(n, k, ray);
             if (isBefore(at, all.order[place], best, bestOrder)) {
                 best = at;
                 bestPlace = place;
@@ -90,6 +78,21 @@ final class Finder {
             nearestBounded(ray, fromEye);
         }
         return hit != NONE;
+    }
+
+    /** {@return t of the hit of a ray on the object of an entry of a {@link FewBuffer}, or a miss} */
+    private double intersect(double[] n, int k, Ray ray) {
+        Point o = ray.origin;
+        Vector d = ray.direction;
+        double kind = n[k + FewBuffer.KIND];
+        if (kind == Primitives.SPHERE) {
+            return Sphere.hit(o.x - n[k + 1], o.y - n[k + 2], o.z - n[k + 3], d.x, d.y, d.z, n[k + 4]);
+        }
+        if (kind == Primitives.PLANE) {
+            return Plane.hit(n[k + 4] - (n[k + 1] * o.x + n[k + 2] * o.y + n[k + 3] * o.z),
+                n[k + 1] * d.x + n[k + 2] * d.y + n[k + 3] * d.z);
+        }
+        return all.objects[(int) n[k + FewBuffer.PLACE]].intersect(ray);
     }
 
     private void nearestBounded(Ray ray, boolean fromEye) {
@@ -197,27 +200,13 @@ final class Finder {
         } else {
             start = few.start(direction);
         }
-        double ox = ray.origin.x;
-        double oy = ray.origin.y;
-        double oz = ray.origin.z;
-        double dx = ray.direction.x;
-        double dy = ray.direction.y;
-        double dz = ray.direction.z;
         double[] n = few.numbers;
         int blocker = NONE;
         int last = start;
         int k = start;
         for (; n[k] <= distance && blocker == NONE; k += FewBuffer.ENTRY) {
             int place = (int) n[k + FewBuffer.PLACE];
-            double kind = n[k + FewBuffer.KIND];
-            double at;
-            if (kind == Primitives.SPHERE) {
-                at = Sphere.hit(ox - n[k + 1], oy - n[k + 2], oz - n[k + 3], dx, dy, dz, n[k + 4]);
-            } else if (kind == Primitives.PLANE) {
-                at = Plane.hit(n[k + 4] - (n[k + 1] * ox + n[k + 2] * oy + n[k + 3] * oz), n[k + 1] * dx + n[k + 2] * dy + n[k + 3] * dz);
-            } else {
-                at = all.objects[place].intersect(ray);
-            }
+            double at = intersect(n, k, ray);
             if (isWithin(at, distance) && (all.opaque || blocks(place))) {
                 blocker = place;
                 last = k;
