@@ -21,6 +21,14 @@ final class TriangleProbe {
     double dx;
     double dy;
     double dz;
+    /** The reciprocals of the direction's components, infinite of a 0. */
+    double ix;
+    double iy;
+    double iz;
+    /** Where among the six sides of a box is the one that the ray meets first, along each axis: 0 or 3, 1 or 4, 2 or 5. */
+    int nx;
+    int ny;
+    int nz;
 
     /** t of the nearest hit so far, infinite if there is none. */
     double t;
@@ -47,6 +55,12 @@ final class TriangleProbe {
         dx = directionX;
         dy = directionY;
         dz = directionZ;
+        ix = 1 / dx;
+        iy = 1 / dy;
+        iz = 1 / dz;
+        nx = ix < 0 ? 3 : 0;
+        ny = iy < 0 ? 4 : 1;
+        nz = iz < 0 ? 5 : 2;
         t = Double.POSITIVE_INFINITY;
         triangle = -1;
         double ax = Math.abs(dx);

@@ -61,21 +61,15 @@ final class TriangleTree {
         if (first.length == 0) {
             return;
         }
-        double ix = 1 / probe.dx;
-        double iy = 1 / probe.dy;
-        double iz = 1 / probe.dz;
-        int nx = ix < 0 ? 3 : 0;                              // where in a box is the side that the ray meets first
-        int ny = iy < 0 ? 4 : 1;
-        int nz = iz < 0 ? 5 : 2;
         int depth = 0;
         int node = 0;
-        double entry = enter(0, probe, ix, iy, iz, nx, ny, nz);
+        double entry = enter(0, probe);
         while (true) {
             if (entry <= probe.t && entry < MISSED) {
                 if (counts[node] == 0) {
                     int child = first[node];
-                    double one = enter(child, probe, ix, iy, iz, nx, ny, nz);
-                    double other = enter(child + 1, probe, ix, iy, iz, nx, ny, nz);
+                    double one = enter(child, probe);
+                    double other = enter(child + 1, probe);
                     int near = one <= other ? 0 : 1;
                     double far = Math.max(one, other);
                     if (far <= probe.t && far < MISSED) {
@@ -100,19 +94,19 @@ final class TriangleTree {
     }
 
     /** {@return a t not above that at which the ray enters the node's box; infinite if it misses the box} */
-    private double enter(int node, TriangleProbe probe, double ix, double iy, double iz, int nx, int ny, int nz) {
+    double enter(int node, TriangleProbe probe) {
         int box = 6 * node;
         double near = 0;
         double far = MISSED;
-        double ax = (boxes[box + nx] - probe.ox) * ix;        // NaN when the ray runs along this side: it bounds nothing then
-        double ay = (boxes[box + ny] - probe.oy) * iy;
-        double az = (boxes[box + nz] - probe.oz) * iz;
+        double ax = (boxes[box + probe.nx] - probe.ox) * probe.ix;   // NaN when the ray runs along this side: it bounds nothing then
+        double ay = (boxes[box + probe.ny] - probe.oy) * probe.iy;
+        double az = (boxes[box + probe.nz] - probe.oz) * probe.iz;
         near = ax > near ? ax : near;
         near = ay > near ? ay : near;
         near = az > near ? az : near;
-        double bx = (boxes[box + 3 - nx] - probe.ox) * ix;
-        double by = (boxes[box + 5 - ny] - probe.oy) * iy;
-        double bz = (boxes[box + 7 - nz] - probe.oz) * iz;
+        double bx = (boxes[box + 3 - probe.nx] - probe.ox) * probe.ix;
+        double by = (boxes[box + 5 - probe.ny] - probe.oy) * probe.iy;
+        double bz = (boxes[box + 7 - probe.nz] - probe.oz) * probe.iz;
         far = bx < far ? bx : far;
         far = by < far ? by : far;
         far = bz < far ? bz : far;

@@ -57,8 +57,8 @@ class SaveViewTest {
 
     @Test
     void aWindowThatNoFreeCameraShowsIsCopiedAsItIs() {
-        TestScenes.write(scene, SCENE + "window -1 3 -2 2\r\ncop 4\r\n");
-        window.screen.press(KeyEvent.VK_F5);
+        byte[] framed = (SCENE + "window -1 3 -2 2\r\ncop 4\r\n").getBytes(StandardCharsets.UTF_8);
+        OpenWindow.run(() -> window.frame.open(SceneSource.text(framed)));
         window.untilState(Rendering.State.FINISHED);
         window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_C);
 
