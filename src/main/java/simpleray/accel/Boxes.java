@@ -2,6 +2,7 @@ package simpleray.accel;
 
 import simpleray.math.Bounds;
 import simpleray.scene.Object;
+import simpleray.scene.Sphere;
 
 /**
  * The boxes of bounded objects, as floats about the middle of them all, each a little larger than its object: by more than all rounding of
@@ -15,6 +16,8 @@ final class Boxes {
     /** By what share of their distance from the origin, where numbers are coarse. */
     private static final double FAR_PAD = 0x1p-40;
 
+    private static final double[] EMPTY = {Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY,
+        Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY};
     /** How many extents from the middle a ray may start. */
     private static final double FARTHEST = 1e6;
 
@@ -26,6 +29,8 @@ final class Boxes {
     final float[] sides;
     /** Which object each is of. */
     final int[] ids;
+    /** Which of them are of spheres. */
+    final boolean[] round;
 
     /**
      * Makes the boxes of objects.
@@ -37,19 +42,19 @@ final class Boxes {
     Boxes(Object[] objects, int[] ids, Pool pool) {
         this.ids = ids;
         sides = new float[SIDES * ids.length];
-        double[] low = {Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY};
-        double[] high = {Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY};
+        round = new boolean[ids.length];
+        double[] all = EMPTY.clone();
         pool.ranges(ids.length, new Pool.Work() {
             @Override
             public void on(int from, int to) {
-                widen(low, high, objects, from, to);
+                widen(all, objects, from, to);
             }
         });
         double half = Float.MIN_NORMAL;
         double far = 0;
         for (int axis = 0; axis < 3; axis++) {
-            middle[axis] = (low[axis] + high[axis]) / 2;
-            half = Math.max(half, (high[axis] - low[axis]) / 2);
+            middle[axis] = (all[axis] + all[axis + 3]) / 2;
+            half = Math.max(half, (all[axis + 3] - all[axis]) / 2);
             far = Math.max(far, Math.abs(middle[axis]));
         }
         double pad = Math.max(half * PAD, far * FAR_PAD);
@@ -62,24 +67,30 @@ final class Boxes {
         });
     }
 
-    private void widen(double[] low, double[] high, Object[] objects, int from, int to) {
-        Bounds all = objects[ids[from]].bounds();
-        for (int i = from + 1; i < to; i++) {
-            all = all.with(objects[ids[i]].bounds());
+    private void widen(double[] all, Object[] objects, int from, int to) {
+        double[] own = EMPTY.clone();
+        for (int i = from; i < to; i++) {
+            Bounds b = objects[ids[i]].bounds();              // which no memory is spent on, unless they are kept
+            own[0] = Math.min(own[0], b.xmin());
+            own[1] = Math.min(own[1], b.ymin());
+            own[2] = Math.min(own[2], b.zmin());
+            own[3] = Math.max(own[3], b.xmax());
+            own[4] = Math.max(own[4], b.ymax());
+            own[5] = Math.max(own[5], b.zmax());
         }
-        synchronized (low) {
-            low[0] = Math.min(low[0], all.xmin());
-            low[1] = Math.min(low[1], all.ymin());
-            low[2] = Math.min(low[2], all.zmin());
-            high[0] = Math.max(high[0], all.xmax());
-            high[1] = Math.max(high[1], all.ymax());
-            high[2] = Math.max(high[2], all.zmax());
+        synchronized (all) {
+            for (int axis = 0; axis < 3; axis++) {
+                all[axis] = Math.min(all[axis], own[axis]);
+                all[axis + 3] = Math.max(all[axis + 3], own[axis + 3]);
+            }
         }
     }
 
     private void enclose(Object[] objects, double pad, int from, int to) {
         for (int i = from; i < to; i++) {
-            Bounds b = objects[ids[i]].bounds();
+            Object object = objects[ids[i]];
+            round[i] = object instanceof Sphere;
+            Bounds b = object.bounds();
             int at = SIDES * i;
             sides[at] = (float) (b.xmin() - middle[0] - pad);
             sides[at + 1] = (float) (b.ymin() - middle[1] - pad);
@@ -109,8 +120,10 @@ final class Boxes {
     void reorder(int[] order) {
         int[] oldIds = ids.clone();
         float[] oldSides = sides.clone();
+        boolean[] oldRound = round.clone();
         for (int i = 0; i < order.length; i++) {
             ids[i] = oldIds[order[i]];
+            round[i] = oldRound[order[i]];
             System.arraycopy(oldSides, SIDES * order[i], sides, SIDES * i, SIDES);
         }
     }
@@ -120,6 +133,9 @@ final class Boxes {
         int id = ids[i];
         ids[i] = ids[j];
         ids[j] = id;
+        boolean ball = round[i];
+        round[i] = round[j];
+        round[j] = ball;
         int a = SIDES * i;
         int b = SIDES * j;
         for (int k = 0; k < SIDES; k++) {

@@ -1,5 +1,6 @@
 package simpleray.accel;
 
+import java.util.Arrays;
 import simpleray.math.Point;
 
 /**
@@ -10,14 +11,11 @@ import simpleray.math.Point;
 final class DirectionBuffer {
     private static final int LEAST_SIDE = 16;
     private static final int MOST_SIDE = 1024;
+    private static final int SHORT = 16;
     /** So many cells for each object, and at most so many objects in lists. */
-    private static final double CELLS_AN_OBJECT = 4;
+    private static final double CELLS_AN_OBJECT = 1;
     private static final long LISTED_AN_OBJECT = 24;
     private static final long LISTED_ANYWAY = 1 << 16;
-
-    /** How many distances are told apart. */
-    private static final int STEPS = 1 << 12;
-    private static final float LESS = 1 - 0x1p-20f;
 
     /** Where the list of each cell begins in {@link #places}, and at last where the last one ends. */
     final int[] starts;
@@ -53,11 +51,6 @@ final class DirectionBuffer {
         int n = boxes.count();
         float[] near = new float[n];
         double[] box = new double[Boxes.SIDES];
-        for (int i = 0; i < n; i++) {
-            seen(boxes, i, px, py, pz, box);
-            near[i] = distance(box);
-        }
-        int[] sorted = sorted(near);
         int side = (int) Math.max(LEAST_SIDE, Math.min(MOST_SIDE, Math.sqrt(CELLS_AN_OBJECT * n / Cube.FACES)));
         Cube cube = new Cube(side);
         int[] starts = new int[cube.cells() + 1];
@@ -65,6 +58,7 @@ final class DirectionBuffer {
         long listed = 0;
         for (int i = 0; i < n; i++) {
             seen(boxes, i, px, py, pz, box);
+            near[i] = distance(box);
             for (int face = 0; face < Cube.FACES; face++) {
                 if (covers(box, face, cube, rectangle)) {
                     for (int v = rectangle[2]; v <= rectangle[3]; v++) {
@@ -86,8 +80,7 @@ final class DirectionBuffer {
             starts[cell] = sum;
         }
         int[] places = new int[sum];
-        for (int k = n - 1; k >= 0; k--) {                    // from the farthest: each list is filled from its end
-            int i = sorted[k];
+        for (int i = n - 1; i >= 0; i--) {                    // each list is filled from its end
             seen(boxes, i, px, py, pz, box);
             for (int face = 0; face < Cube.FACES; face++) {
                 if (covers(box, face, cube, rectangle)) {
@@ -100,36 +93,28 @@ final class DirectionBuffer {
                 }
             }
         }
+        sort(starts, places, near);
         return new DirectionBuffer(cube, starts, places, near);
     }
 
-    /** Rounds distances down to one of a few, and finds the order of the objects by them: a counting sort. */
-    private static int[] sorted(float[] near) {
-        float least = Float.POSITIVE_INFINITY;
-        float most = 0;
-        for (float distance : near) {
-            least = Math.min(least, distance);
-            most = Math.max(most, distance);
+    /** Brings each list into the order of distances; the bits of those, which are not negative, have that order, too. */
+    private static void sort(int[] starts, int[] places, float[] near) {
+        long[] keys = new long[SHORT];
+        for (int cell = 0; cell < starts.length - 1; cell++) {
+            int first = starts[cell];
+            int count = starts[cell + 1] - first;
+            if (count > 1) {
+                keys = count > keys.length ? new long[2 * count] : keys;
+                for (int i = 0; i < count; i++) {
+                    int place = places[first + i];
+                    keys[i] = (long) Float.floatToRawIntBits(near[place]) << Integer.SIZE | place;
+                }
+                Arrays.sort(keys, 0, count);
+                for (int i = 0; i < count; i++) {
+                    places[first + i] = (int) keys[i];
+                }
+            }
         }
-        float step = (most - least) / (STEPS - 1);
-        int[] ends = new int[STEPS + 1];
-        for (float distance : near) {
-            ends[step(distance, least, step) + 1]++;
-        }
-        for (int i = 0; i < STEPS; i++) {
-            ends[i + 1] += ends[i];
-        }
-        int[] sorted = new int[near.length];
-        for (int i = 0; i < near.length; i++) {
-            int k = step(near[i], least, step);
-            sorted[ends[k]++] = i;
-            near[i] = Math.min(near[i], (least + k * step) * LESS);
-        }
-        return sorted;
-    }
-
-    private static int step(float distance, float least, float step) {
-        return step > 0 ? Math.min(STEPS - 1, (int) ((distance - least) / step)) : 0;
     }
 
     /** {@return the point about the middle of the boxes; null if roundings on its way could be larger than the boxes are padded for} */
@@ -185,11 +170,11 @@ final class DirectionBuffer {
     private static boolean covers(double[] box, int axis, double nearest, double farthest, Cube cube, int[] rectangle, int at) {
         double low = box[axis];
         double high = box[axis + 3];
-        double from = low < 0 ? low / nearest : low / farthest;
-        double to = high > 0 ? high / nearest : high / farthest;
-        if (from > 1 + 0x1p-20 || to < -1 - 0x1p-20) {
+        if (low > farthest * (1 + 0x1p-20) || high < -farthest * (1 + 0x1p-20)) {
             return false;
         }
+        double from = low < 0 ? low / nearest : low / farthest;
+        double to = high > 0 ? high / nearest : high / farthest;
         rectangle[at] = cube.column(from - 0x1p-30);
         rectangle[at + 1] = cube.column(to + 0x1p-30);
         return true;

@@ -80,7 +80,7 @@ public final class Engine {
             Grid grid = many && kind != Kind.BVH ? Grid.of(boxes, kind == Kind.GRID) : null;
             structure = many && grid == null ? Bvh.build(boxes, pool) : grid;
             // from here on the order of the boxes stays, and all else can be made at once
-            ForkJoinTask<?> filling = grid == null ? null : pool.begin(() -> grid.fill(all));
+            ForkJoinTask<?> filling = grid == null ? null : pool.begin(() -> grid.fill());
             boolean seen = lists && bounded.length >= TREE;
             ForkJoinTask<DirectionBuffer> fromEye = seen ? pool.begin(() -> DirectionBuffer.of(boxes, eye)) : null;
             List<ForkJoinTask<DirectionBuffer>> fromLights = new ArrayList<>();

@@ -1,8 +1,6 @@
 package simpleray.accel;
 
 import java.util.Arrays;
-import simpleray.scene.Object;
-import simpleray.scene.Sphere;
 
 /**
  * Cells of one size, each with a list of the objects in it (Fujimoto, Tanaka and Iwata, "ARTS: Accelerated Ray-Tracing System", 1986): the
@@ -65,11 +63,11 @@ final class Grid implements Structure {
     }
 
     /** Makes the lists. */
-    void fill(Object[] all) {
+    void fill() {
         int n = boxes.count();
         starts = new int[count() + 1];
         for (int i = 0; i < n; i++) {
-            visit(i, all[boxes.ids[i]] instanceof Sphere);
+            visit(i, boxes.round[i]);
         }
         int sum = 0;
         for (int cell = 0; cell < starts.length; cell++) {
@@ -78,7 +76,7 @@ final class Grid implements Structure {
         }
         places = new int[sum];
         for (int i = n - 1; i >= 0; i--) {
-            visit(i, all[boxes.ids[i]] instanceof Sphere);
+            visit(i, boxes.round[i]);
         }
     }
 
