@@ -16,6 +16,7 @@ final class Boxes {
     /** By what share of their distance from the origin, where numbers are coarse. */
     private static final double FAR_PAD = 0x1p-40;
 
+    private static final int DONE = -1;
     private static final double[] EMPTY = {Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY,
         Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY};
     /** How many extents from the middle a ray may start. */
@@ -116,15 +117,18 @@ final class Boxes {
         return ids.length;
     }
 
-    /** Brings the boxes into an order, given as where each comes from. */
+    /** Brings the boxes into an order, given as where each comes from, which is used up: round after round, as each makes room for the next. */
     void reorder(int[] order) {
-        int[] oldIds = ids.clone();
-        float[] oldSides = sides.clone();
-        boolean[] oldRound = round.clone();
         for (int i = 0; i < order.length; i++) {
-            ids[i] = oldIds[order[i]];
-            round[i] = oldRound[order[i]];
-            System.arraycopy(oldSides, SIDES * order[i], sides, SIDES * i, SIDES);
+            int at = i;
+            while (order[at] >= 0) {
+                int from = order[at];
+                order[at] = DONE;
+                if (from != i) {
+                    swap(at, from);
+                }
+                at = from;
+            }
         }
     }
 

@@ -12,9 +12,10 @@ final class DirectionBuffer {
     private static final int LEAST_SIDE = 16;
     private static final int MOST_SIDE = 1024;
     private static final int SHORT = 16;
+    private static final int SAMPLE = 16;
     /** So many cells for each object, and at most so many objects in lists. */
     private static final double CELLS_AN_OBJECT = 1;
-    private static final long LISTED_AN_OBJECT = 24;
+    private static final long LISTED_AN_OBJECT = 10;
     private static final long LISTED_ANYWAY = 1 << 16;
 
     /** Where the list of each cell begins in {@link #places}, and at last where the last one ends. */
@@ -53,9 +54,20 @@ final class DirectionBuffer {
         double[] box = new double[Boxes.SIDES];
         int side = (int) Math.max(LEAST_SIDE, Math.min(MOST_SIDE, Math.sqrt(CELLS_AN_OBJECT * n / Cube.FACES)));
         Cube cube = new Cube(side);
-        int[] starts = new int[cube.cells() + 1];
         int[] rectangle = new int[4];
+        long most = LISTED_AN_OBJECT * n + LISTED_ANYWAY;
         long listed = 0;
+        for (int i = 0; i < n; i += SAMPLE) {                 // so that it is known soon if they are too many, as a rule
+            seen(boxes, i, px, py, pz, box);
+            for (int face = 0; face < Cube.FACES; face++) {
+                listed += covers(box, face, cube, rectangle) ? cells(rectangle) : 0;
+            }
+        }
+        if (listed > most / SAMPLE + LISTED_ANYWAY) {
+            return null;
+        }
+        listed = 0;
+        int[] starts = new int[cube.cells() + 1];
         for (int i = 0; i < n; i++) {
             seen(boxes, i, px, py, pz, box);
             near[i] = distance(box);
@@ -67,8 +79,8 @@ final class DirectionBuffer {
                             starts[row + u]++;
                         }
                     }
-                    listed += (rectangle[1] - rectangle[0] + 1L) * (rectangle[3] - rectangle[2] + 1L);
-                    if (listed > LISTED_AN_OBJECT * n + LISTED_ANYWAY) {
+                    listed += cells(rectangle);
+                    if (listed > most) {
                         return null;
                     }
                 }
@@ -80,7 +92,8 @@ final class DirectionBuffer {
             starts[cell] = sum;
         }
         int[] places = new int[sum];
-        for (int i = n - 1; i >= 0; i--) {                    // each list is filled from its end
+        for (int k = 0; k < n; k++) {                         // each list is filled from its end, so from what is mostly the farthest
+            int i = pz > 0 ? k : n - 1 - k;
             seen(boxes, i, px, py, pz, box);
             for (int face = 0; face < Cube.FACES; face++) {
                 if (covers(box, face, cube, rectangle)) {
@@ -95,6 +108,10 @@ final class DirectionBuffer {
         }
         sort(starts, places, near);
         return new DirectionBuffer(cube, starts, places, near);
+    }
+
+    private static long cells(int[] rectangle) {
+        return (rectangle[1] - rectangle[0] + 1L) * (rectangle[3] - rectangle[2] + 1L);
     }
 
     /** Brings each list into the order of distances; the bits of those, which are not negative, have that order, too. */
