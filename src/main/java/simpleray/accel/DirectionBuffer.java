@@ -9,7 +9,7 @@ import simpleray.math.Point;
  * Tracing", 1984), of a light what shadows it casts (Haines and Greenberg, "The Light Buffer", 1986). <em>Constant.</em>
  */
 final class DirectionBuffer {
-    private static final int LEAST_SIDE = 16;
+    private static final int LEAST_SIDE = 32;
     private static final int MOST_SIDE = 1024;
     private static final int SHORT = 16;
     private static final int SAMPLE = 16;
