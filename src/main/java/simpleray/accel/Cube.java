@@ -40,10 +40,34 @@ record Cube(int side, double half) {
         return 2.0 * column / side - 1;
     }
 
-    /** {@return the cell of a direction} */
-    int cell(Direction d) {
-        int row = Math.min(side - 1, (int) ((d.along + 1) * half));   // its slopes are -1 or more: the same column as of those
-        int column = Math.min(side - 1, (int) ((d.across + 1) * half));
-        return (d.face * side + row) * side + column;
+    /** {@return the cell of a direction, which need not be of unit length} */
+    int cell(double dx, double dy, double dz) {
+        double ax = Math.abs(dx);
+        double ay = Math.abs(dy);
+        double az = Math.abs(dz);
+        int face;
+        double across;
+        double along;
+        double by;
+        if (az >= ax && az >= ay) {
+            face = dz >= 0 ? 4 : 5;
+            by = az;
+            across = dx;
+            along = dy;
+        } else if (ay >= ax) {
+            face = dy >= 0 ? 2 : 3;
+            by = ay;
+            across = dx;
+            along = dz;
+        } else {
+            face = dx >= 0 ? 0 : 1;
+            by = ax;
+            across = dy;
+            along = dz;
+        }
+        double share = half / by;                             // a slope is -1 or more, and the first column reaches a little farther
+        int row = Math.min(side - 1, (int) (along * share + half));
+        int column = Math.min(side - 1, (int) (across * share + half));
+        return (face * side + row) * side + column;
     }
 }

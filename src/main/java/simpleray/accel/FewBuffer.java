@@ -11,11 +11,13 @@ import simpleray.math.Point;
 final class FewBuffer {
     /**
      * Numbers an entry: how near the object is at least; a sphere's centre and radius, or a plane's normal and constant; its place in
-     * {@link Primitives}; and its kind. Behind the last of a list stands one that is neither near nor far: not a number.
+     * {@link Primitives}, its kind, and its place in the scene. Behind the last of a list stands one that is neither near nor far: not a
+     * number.
      */
-    static final int ENTRY = 7;
+    static final int ENTRY = 8;
     static final int PLACE = 5;
     static final int KIND = 6;
+    static final int ORDER = 7;
 
     private static final int NOW_AND_THEN = 15;
     private static final int SIDE = 12;
@@ -129,6 +131,7 @@ final class FewBuffer {
         all.copy(place, numbers, at + 1);
         numbers[at + PLACE] = place;
         numbers[at + KIND] = all.kind(place);
+        numbers[at + ORDER] = all.order[place];
     }
 
     private void close() {
@@ -146,8 +149,8 @@ final class FewBuffer {
     }
 
     /** {@return where the list of a direction begins} */
-    int start(Direction direction) {
-        return starts[cube.cell(direction)];
+    int start(double dx, double dy, double dz) {
+        return starts[cube.cell(dx, dy, dz)];
     }
 
     /** {@return the same lists, in which the order of entries can be changed} */

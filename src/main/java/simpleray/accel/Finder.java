@@ -25,7 +25,6 @@ final class Finder {
     private long shadows;
 
     final Tally tally = new Tally();
-    private final Direction direction = new Direction();
 
     private final Engine engine;
     final Primitives all;
@@ -49,12 +48,9 @@ final class Finder {
     boolean nearest(Ray ray, boolean fromEye) {
         FewBuffer few = engine.everywhere;
         int start = 0;
-        if (fromEye) {
-            direction.set(ray.direction.x, ray.direction.y, ray.direction.z);
-            if (engine.eyeFew != null) {
-                few = engine.eyeFew;
-                start = few.start(direction);
-            }
+        if (fromEye && engine.eyeFew != null) {
+            few = engine.eyeFew;
+            start = few.start(ray.direction.x, ray.direction.y, ray.direction.z);
         }
         double[] n = few.numbers;
         double best = Double.POSITIVE_INFINITY;               // in locals, which the machine keeps at hand
@@ -62,12 +58,12 @@ final class Finder {
         int bestOrder = Integer.MAX_VALUE;
         int k = start;
         for (; n[k] <= best; k += FewBuffer.ENTRY) {          // where one is farther, so are the rest; not a number ends the list
-            int place = (int) n[k + FewBuffer.PLACE];
             double at = intersect(n, k, ray);
-            if (isBefore(at, all.order[place], best, bestOrder)) {
+            int order = (int) n[k + FewBuffer.ORDER];
+            if (isBefore(at, order, best, bestOrder)) {
                 best = at;
-                bestPlace = place;
-                bestOrder = all.order[place];
+                bestPlace = (int) n[k + FewBuffer.PLACE];
+                bestOrder = order;
             }
         }
         tally.tests += (k - start) / FewBuffer.ENTRY;
@@ -142,7 +138,7 @@ final class Finder {
         double best = t;
         int bestPlace = hit;
         int bestOrder = hitOrder;
-        int cell = buffer.cube.cell(direction);
+        int cell = buffer.cube.cell(ray.direction.x, ray.direction.y, ray.direction.z);
         int first = buffer.starts[cell];
         int end = buffer.starts[cell + 1];
         int i = first;
@@ -187,7 +183,6 @@ final class Finder {
         FewBuffer few = null;
         int start = 0;
         if (engine.directions[light] == null) {               // where the point is as the light sees it
-            direction.set(-ray.direction.x, -ray.direction.y, -ray.direction.z);
             few = engine.lightFew[light];
         }
         boolean inRow = few == null || distance > few.reach;
@@ -198,17 +193,16 @@ final class Finder {
                 rows[light] = few;
             }
         } else {
-            start = few.start(direction);
+            start = few.start(-ray.direction.x, -ray.direction.y, -ray.direction.z);
         }
         double[] n = few.numbers;
         int blocker = NONE;
         int last = start;
         int k = start;
         for (; n[k] <= distance && blocker == NONE; k += FewBuffer.ENTRY) {
-            int place = (int) n[k + FewBuffer.PLACE];
             double at = intersect(n, k, ray);
-            if (isWithin(at, distance) && (all.opaque || blocks(place))) {
-                blocker = place;
+            if (isWithin(at, distance) && (all.opaque || blocks((int) n[k + FewBuffer.PLACE]))) {
+                blocker = (int) n[k + FewBuffer.PLACE];
                 last = k;
             }
         }
@@ -290,7 +284,7 @@ final class Finder {
 
     /** {@return an opaque object in the way to a light, asking those that are as near to it as the ray's origin; notes what dims} */
     private int blockerOf(DirectionBuffer buffer, Ray ray, double distance) {
-        int cell = buffer.cube.cell(direction);
+        int cell = buffer.cube.cell(-ray.direction.x, -ray.direction.y, -ray.direction.z);
         int first = buffer.starts[cell];
         int end = first;
         for (int last = buffer.starts[cell + 1]; end < last && buffer.near[buffer.places[end]] <= distance; end++) {

@@ -108,18 +108,19 @@ final class Worker implements RayTracer {
 
     /** Finds the normal at a hit, on the side from which the ray comes; returns whether the ray enters there. */
     private boolean findNormal(Vector normal, Ray ray, int place, double t, Point point) {
-        boolean enters;
         if (engine.primitives.normal(place, point, normal)) {
-            enters = normal.dot(ray.direction) < 0;
-        } else {
-            Surface surface = engine.primitives.objects[place].surface(ray, t, point);
-            normal.copy(surface.shading());
-            enters = surface.isEnteredBy(ray.direction);
+            double facing = normal.dot(ray.direction);
+            if (facing > 0) {
+                normal.negate();
+            }
+            return facing < 0;
         }
+        Surface surface = engine.primitives.objects[place].surface(ray, t, point);
+        normal.copy(surface.shading());
         if (normal.dot(ray.direction) > 0) {
             normal.negate();
         }
-        return enters;
+        return surface.isEnteredBy(ray.direction);
     }
 
     /** Finds the local colour. All is in local variables, which the machine keeps at hand. */
@@ -167,7 +168,7 @@ final class Worker implements RayTracer {
                 halfway.set(l.x - direction.x, l.y - direction.y, l.z - direction.z);
                 halfway.normalise();
                 double cosine = nx * halfway.x + ny * halfway.y + nz * halfway.z;
-                double power = Powers.power(Math.min(1, Math.max(0, cosine)), material.shininess);
+                double power = Powers.power(cosine <= 0 ? 0 : cosine >= 1 ? 1 : cosine, material.shininess);
                 specularR += material.specular.r * light.r * power;
                 specularG += material.specular.g * light.g * power;
                 specularB += material.specular.b * light.b * power;

@@ -56,6 +56,9 @@ public final class Optics {
      * @return how far the point was moved
      */
     public static double lift(Point point, Vector normal, double t) {
+        if (!(Math.abs(point.x) > LARGE || Math.abs(point.y) > LARGE || Math.abs(point.z) > LARGE || t > LARGE)) {
+            return 0;
+        }
         double size = Math.max(Math.max(Math.abs(point.x), Math.abs(point.y)), Math.max(Math.abs(point.z), t));
         if (!(size > LARGE && size < Double.POSITIVE_INFINITY)) {
             return 0;

@@ -82,11 +82,11 @@ public final class Sphere extends Object {
         double q = towards + Math.copySign(Math.sqrt(a * square), towards);
         double one = e / q;
         double other = q / a;
-        double near = Math.min(one, other);
+        double near = other < one ? other : one;              // not a number if one is: no hit
         if (near > THRESHOLD) {
             return near;
         }
-        double far = Math.max(one, other);
+        double far = other > one ? other : one;
         return far > THRESHOLD ? far : MISS;
     }
 
