@@ -49,10 +49,10 @@ final class BenchCommand implements Callable<Integer> {
     public Integer call() throws Failure {
         say("SimpleRay on Java %s, %d processors; pictures of %d x %d, medians of %d", System.getProperty("java.version"), all,
             side(), side(), runs());
+        interactive();                                        // first: a window that shows one scene has the machine's compiler to itself
         kinds();
         growth();
         threads();
-        interactive();
         return ExitCode.DONE;
     }
 

@@ -26,7 +26,7 @@ public final class Renderer {
     private static final int WARM_UP_RAYS = 50;
     private static final int WARM_UP = 600;
     /** From so many pixels on a picture is worth it. */
-    private static final int LARGE = 250_000;
+    private static final int LARGE = 100_000;
     private static final double ACROSS = 0.7548776662466927;
     private static final double DOWN = 0.5698402909980532;
 
