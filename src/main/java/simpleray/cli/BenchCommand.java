@@ -11,12 +11,15 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParentCommand;
 import simpleray.accel.Tally;
+import simpleray.render.PreparedScene;
 import simpleray.render.RenderListener;
+import simpleray.render.RenderRequest;
 import simpleray.render.RenderSettings;
 import simpleray.render.Renderer;
 import simpleray.render.Stage;
 import simpleray.scene.Scene;
 import simpleray.scene.SceneFile;
+import simpleray.scene.SceneSettings;
 import simpleray.scene.SimpleCamera;
 
 /** Measures how fast the renderer is on this machine. */
@@ -122,12 +125,15 @@ final class BenchCommand implements Callable<Integer> {
         } catch (IOException e) {
             throw new Failure(ExitCode.INTERNAL, "simpleray: the thesis's scene in the jar cannot be read: " + e.getMessage());
         }
+        SceneSettings settings = new SceneSettings();
+        settings.resolution = new SceneSettings.Resolution(side(), side());
+        RenderRequest request = new RenderRequest(settings, Stage.FINAL, false, all);
+        PreparedScene prepared = new PreparedScene(thesis);   // as a window has it
         int pictures = quick ? 2 : 200;
-        run(thesis, Stage.FINAL, RenderSettings.DEFAULT_DEPTH, all);
         for (int round = 0; round < 2; round++) {             // the first one warms up
             long start = System.nanoTime();
             for (int i = 0; i < pictures; i++) {
-                run(thesis, Stage.FINAL, RenderSettings.DEFAULT_DEPTH, all);
+                prepared.renderer(request).render(RenderListener.NONE);
             }
             if (round > 0) {
                 say("%nthe thesis's scene, final stage, %d threads, warm: %.0f pictures a second", all,

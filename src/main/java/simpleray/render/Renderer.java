@@ -26,9 +26,10 @@ public final class Renderer {
     private static final int WARM_UP_RAYS = 50;
     private static final int WARM_UP = 600;
     /** From so many pixels on a picture is worth it. */
-    private static final int LARGE = 100_000;
+    private static final int LARGE = 30_000;
     private static final double ACROSS = 0.7548776662466927;
     private static final double DOWN = 0.5698402909980532;
+    private static volatile boolean warm;                     // what the machine has compiled is there for all renderings
 
     private final Scene scene;
     private final Camera camera;
@@ -256,6 +257,10 @@ public final class Renderer {
         }
     }
 
+    private static void noteWarm() {
+        warm = true;
+    }
+
     /** {@return what finds the colours of rays, for one thread} */
     private RayTracer rays(Engine engine) {
         return Tracer.rays(scene, engine, settings.stage(), true);
@@ -289,8 +294,9 @@ public final class Renderer {
     }
 
     private void work(Engine engine, RenderListener listener) {
-        if (engine != null && (long) picture.width() * picture.height() >= LARGE) {
+        if (!warm && engine != null && (long) picture.width() * picture.height() >= LARGE) {
             warmUp(engine);
+            noteWarm();
         }
         Sampler own = sampler(new Tracer(rays(engine), camera, settings));
         double[] spare = null;                                // a row that was let go of
