@@ -40,7 +40,7 @@ record Cube(int side, double half) {
         return 2.0 * column / side - 1;
     }
 
-    /** {@return the cell of a direction, which need not be of unit length} */
+    /** {@return the cell of a direction, whose length is 1, or not so small that its reciprocal is infinite} */
     int cell(double dx, double dy, double dz) {
         double ax = Math.abs(dx);
         double ay = Math.abs(dy);
@@ -65,9 +65,9 @@ record Cube(int side, double half) {
             across = dy;
             along = dz;
         }
-        double share = half / by;                             // a slope is -1 or more, and the first column reaches a little farther
-        int row = Math.min(side - 1, (int) (along * share + half));
-        int column = Math.min(side - 1, (int) (across * share + half));
+        double share = half / by;
+        int row = Math.max(0, Math.min(side - 1, (int) (along * share + half)));
+        int column = Math.max(0, Math.min(side - 1, (int) (across * share + half)));
         return (face * side + row) * side + column;
     }
 }

@@ -16,7 +16,7 @@ final class DirectionBuffer {
     /** So many cells for each object, and at most so many objects in lists. */
     private static final double CELLS_AN_OBJECT = 1;
     private static final long LISTED_AN_OBJECT = 10;
-    private static final long LISTED_ANYWAY = 1 << 16;
+    private static final long LISTED_ANYWAY = 1 << 18;
 
     /** Where the list of each cell begins in {@link #places}, and at last where the last one ends. */
     final int[] starts;

@@ -128,7 +128,7 @@ final class BenchCommand implements Callable<Integer> {
         SceneSettings settings = new SceneSettings();
         settings.resolution = new SceneSettings.Resolution(side(), side());
         RenderRequest request = new RenderRequest(settings, Stage.FINAL, false, all);
-        PreparedScene prepared = new PreparedScene(thesis);   // as a window has it
+        PreparedScene prepared = new PreparedScene(thesis);   // as a window keeps it
         int pictures = quick ? 2 : 200;
         for (int round = 0; round < 2; round++) {             // the first one warms up
             long start = System.nanoTime();

@@ -25,11 +25,11 @@ public final class Renderer {
 
     private static final int WARM_UP_RAYS = 50;
     private static final int WARM_UP = 600;
-    /** From so many pixels on a picture is worth it. */
-    private static final int LARGE = 30_000;
+    /** From so many pixels for each thread on a picture is worth it. */
+    private static final int LARGE = 15_000;
     private static final double ACROSS = 0.7548776662466927;
     private static final double DOWN = 0.5698402909980532;
-    private static volatile boolean warm;                     // what the machine has compiled is there for all renderings
+    private static volatile Stage warm;                       // what is compiled for a stage is there for its next picture
 
     private final Scene scene;
     private final Camera camera;
@@ -257,8 +257,8 @@ public final class Renderer {
         }
     }
 
-    private static void noteWarm() {
-        warm = true;
+    private static void noteWarm(Stage stage) {
+        warm = stage;
     }
 
     /** {@return what finds the colours of rays, for one thread} */
@@ -294,9 +294,10 @@ public final class Renderer {
     }
 
     private void work(Engine engine, RenderListener listener) {
-        if (!warm && engine != null && (long) picture.width() * picture.height() >= LARGE) {
+        boolean large = (long) picture.width() * picture.height() >= (long) LARGE * threads();
+        if (large && engine != null && warm != settings.stage()) {
             warmUp(engine);
-            noteWarm();
+            noteWarm(settings.stage());
         }
         Sampler own = sampler(new Tracer(rays(engine), camera, settings));
         double[] spare = null;                                // a row that was let go of

@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.channels.ClosedChannelException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
@@ -97,6 +99,27 @@ class CheckpointTest {
         }
 
         assertHolds(0, 2, 3, 4);
+    }
+
+    @Test
+    void aClosedOrRemovedOneTakesNoMoreRows() throws IOException {
+        Checkpoint closed = create();
+        closed.close();
+        assertThatThrownBy(() -> closed.put(1, row(1), 0)).isInstanceOf(ClosedChannelException.class);
+        Checkpoint removed = open();
+        removed.remove();
+        assertThatThrownBy(() -> removed.put(1, row(1), 0)).isInstanceOf(ClosedChannelException.class);
+        assertThat(path).doesNotExist();
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {-1, Integer.MIN_VALUE, Integer.MAX_VALUE, 65537})
+    void aHeadWhoseTextHasNoSuchLengthTellsNothing(int length) throws IOException {
+        byte[] bytes = three();
+        int at = "SimpleRay checkpoint 1\n".length();
+        Files.write(path, ByteBuffer.wrap(bytes).putInt(at, length).array());
+
+        assertThat(Checkpoint.identity(path)).isNull();
     }
 
     @Test

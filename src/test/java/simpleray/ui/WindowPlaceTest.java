@@ -68,6 +68,7 @@ class WindowPlaceTest {
 
         ViewerFrame frame = OpenWindow.ask(() -> frame(file));
         try {
+            assertThat(new Rectangle(screen).contains(frame.getBounds())).as("it is to be seen").isTrue();
             OpenWindow.run(() -> frame.setVisible(true));
             Screen.until("it can be seen", () -> frame.isShowing() && new Rectangle(screen).contains(frame.getBounds()));
         } finally {
