@@ -66,8 +66,8 @@ record Cube(int side, double half) {
             along = dz;
         }
         double share = half / by;
-        int row = Math.max(0, Math.min(side - 1, (int) (along * share + half)));
-        int column = Math.max(0, Math.min(side - 1, (int) (across * share + half)));
+        int row = Math.min(side - 1, (int) (along * share + half) & Integer.MAX_VALUE);   // some cell, whatever the direction
+        int column = Math.min(side - 1, (int) (across * share + half) & Integer.MAX_VALUE);
         return (face * side + row) * side + column;
     }
 }

@@ -129,17 +129,15 @@ final class BenchCommand implements Callable<Integer> {
         settings.resolution = new SceneSettings.Resolution(side(), side());
         RenderRequest request = new RenderRequest(settings, Stage.FINAL, false, all);
         PreparedScene prepared = new PreparedScene(thesis);   // as a window keeps it
-        int pictures = quick ? 2 : 200;
-        for (int round = 0; round < 2; round++) {             // the first one warms up
+        double[] seconds = new double[quick ? 2 : 400];
+        for (int i = 0; i < seconds.length; i++) {
             long start = System.nanoTime();
-            for (int i = 0; i < pictures; i++) {
-                prepared.renderer(request).render(RenderListener.NONE);
-            }
-            if (round > 0) {
-                say("%nthe thesis's scene, final stage, %d threads, warm: %.0f pictures a second", all,
-                    pictures * 1e9 / (System.nanoTime() - start));
-            }
+            prepared.renderer(request).render(RenderListener.NONE);
+            seconds[i] = (System.nanoTime() - start) / 1e9;
         }
+        Arrays.sort(seconds, seconds.length / 2, seconds.length);   // the first half warms up
+        say("%nthe thesis's scene, final stage, %d threads, warm: %.0f pictures a second, by the median of %d", all,
+            1 / seconds[seconds.length * 3 / 4], seconds.length - seconds.length / 2);
     }
 
     private int side() {
