@@ -81,13 +81,17 @@ final class ViewerFrame extends JFrame {
         });
         picture.setListener(this::refresh);
         status.addRight(new ZoomLabel(picture));
-        pack();
-        Dimension screen = getToolkit().getScreenSize();
         setMinimumSize(new Dimension(320, 240));
-        setSize(Math.min(screen.width, Math.max(LEAST.width, getWidth())), Math.min(screen.height, Math.max(LEAST.height, getHeight())));
-        validate();                                           // problems that are known at once find how high the window is
         setLocationByPlatform(true);
-        desktop.placeWindow();
+        if (desktop.placeWindow()) {
+            addNotify();                                      // where it is to be, so that the desktop never knows it elsewhere
+        } else {
+            pack();
+            Dimension screen = getToolkit().getScreenSize();
+            int width = Math.min(screen.width, Math.max(LEAST.width, getWidth()));
+            setSize(width, Math.min(screen.height, Math.max(LEAST.height, getHeight())));
+        }
+        validate();                                           // problems that are known at once find how high the window is
         open(source);
     }
 

@@ -19,13 +19,15 @@ final class WindowPlace {
 
     private final JFrame frame;
     private final Preferences preferences;
+    private final boolean known;
     private Rectangle normal;                                 // not that of a window that fills the screen
 
     WindowPlace(JFrame frame, Preferences preferences) {
         this.frame = frame;
         this.preferences = preferences;
         Rectangle place = seen(preferences.place(), screens());
-        if (place != null) {
+        known = place != null;
+        if (known) {
             frame.setLocationByPlatform(false);
             frame.setBounds(place);
         }
@@ -45,6 +47,11 @@ final class WindowPlace {
             }
         };
         frame.addComponentListener(listener);
+    }
+
+    /** {@return whether the window has its bounds from here} Else they are for others to find. */
+    boolean isKnown() {
+        return known;
     }
 
     private void note() {
