@@ -13,6 +13,8 @@ final class DirectionBuffer {
     private static final int MOST_SIDE = 1024;
     private static final int SHORT = 16;
     private static final int SAMPLE = 16;
+    /** Of so many objects a sample tells how long the lists would be. */
+    private static final int MANY = 1 << 14;
     /** So many cells for each object, and at most so many objects in lists. */
     private static final double CELLS_AN_OBJECT = 1;
     private static final long LISTED_AN_OBJECT = 10;
@@ -57,13 +59,13 @@ final class DirectionBuffer {
         int[] rectangle = new int[4];
         long most = LISTED_AN_OBJECT * n + LISTED_ANYWAY;
         long listed = 0;
-        for (int i = 0; i < n; i += SAMPLE) {                 // so that it is known soon if they are too many, as a rule
+        for (int i = 0; n >= MANY && i < n; i += SAMPLE) {    // so that it is known soon if they would be too long
             seen(boxes, i, px, py, pz, box);
             for (int face = 0; face < Cube.FACES; face++) {
                 listed += covers(box, face, cube, rectangle) ? cells(rectangle) : 0;
             }
         }
-        if (listed > most / SAMPLE + LISTED_ANYWAY) {
+        if (SAMPLE * listed > most + most / SAMPLE) {
             return null;
         }
         listed = 0;

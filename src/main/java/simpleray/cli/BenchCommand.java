@@ -129,15 +129,18 @@ final class BenchCommand implements Callable<Integer> {
         settings.resolution = new SceneSettings.Resolution(side(), side());
         RenderRequest request = new RenderRequest(settings, Stage.FINAL, false, all);
         PreparedScene prepared = new PreparedScene(thesis);   // as a window keeps it
-        double[] seconds = new double[quick ? 2 : 400];
-        for (int i = 0; i < seconds.length; i++) {
+        int pictures = quick ? 1 : 200;
+        double[] seconds = new double[pictures];
+        for (int i = -pictures; i < pictures; i++) {          // the first half warms up
             long start = System.nanoTime();
             prepared.renderer(request).render(RenderListener.NONE);
-            seconds[i] = (System.nanoTime() - start) / 1e9;
+            if (i >= 0) {
+                seconds[i] = (System.nanoTime() - start) / 1e9;
+            }
         }
-        Arrays.sort(seconds, seconds.length / 2, seconds.length);   // the first half warms up
+        Arrays.sort(seconds);
         say("%nthe thesis's scene, final stage, %d threads, warm: %.0f pictures a second, by the median of %d", all,
-            1 / seconds[seconds.length * 3 / 4], seconds.length - seconds.length / 2);
+            1 / seconds[pictures / 2], pictures);
     }
 
     private int side() {

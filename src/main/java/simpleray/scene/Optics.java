@@ -60,7 +60,7 @@ public final class Optics {
             return 0;
         }
         double size = Math.max(Math.max(Math.abs(point.x), Math.abs(point.y)), Math.max(Math.abs(point.z), t));
-        if (!(size > LARGE && size < Double.POSITIVE_INFINITY)) {
+        if (!(size < Double.POSITIVE_INFINITY)) {
             return 0;
         }
         double height = ROUNDINGS * size;

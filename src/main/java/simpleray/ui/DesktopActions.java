@@ -47,8 +47,8 @@ final class DesktopActions {
         frame.setTransferHandler(new SceneDrop(frame));
     }
 
-    /** {@return whether the window was put where it was, which is known and can be seen} */
-    boolean placeWindow() {
+    /** Puts the window, which has all its parts by now, where it was. */
+    void placeWindow() {
         place = new WindowPlace(frame, preferences);
         frame.addWindowListener(new WindowAdapter() {
             @Override
@@ -56,7 +56,6 @@ final class DesktopActions {
                 icon = ProgramIcon.set(frame);
             }
         });
-        return place.isKnown();
     }
 
     /** Adds what belongs below File &gt; Open. */

@@ -18,7 +18,6 @@ import simpleray.render.Stage;
 /** The window: menus, the picture, problems of the scene if there are any, and a status bar. For the event thread, but for await. */
 final class ViewerFrame extends JFrame {
     private static final long serialVersionUID = 1L;
-    private static final Dimension LEAST = new Dimension(760, 560);
     private static final int DIVIDER = 6;
     private static final double HALF = 0.5;
     private static final String GONE = "gone";
@@ -82,15 +81,7 @@ final class ViewerFrame extends JFrame {
         picture.setListener(this::refresh);
         status.addRight(new ZoomLabel(picture));
         setMinimumSize(new Dimension(320, 240));
-        setLocationByPlatform(true);
-        if (desktop.placeWindow()) {
-            addNotify();                                      // where it is to be, so that the desktop never knows it elsewhere
-        } else {
-            pack();
-            Dimension screen = getToolkit().getScreenSize();
-            int width = Math.min(screen.width, Math.max(LEAST.width, getWidth()));
-            setSize(width, Math.min(screen.height, Math.max(LEAST.height, getHeight())));
-        }
+        desktop.placeWindow();
         validate();                                           // problems that are known at once find how high the window is
         open(source);
     }

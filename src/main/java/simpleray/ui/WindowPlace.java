@@ -1,5 +1,6 @@
 package simpleray.ui;
 
+import java.awt.Dimension;
 import java.awt.Frame;
 import java.awt.GraphicsDevice;
 import java.awt.GraphicsEnvironment;
@@ -11,25 +12,31 @@ import java.util.List;
 import java.util.stream.Collectors;
 import javax.swing.JFrame;
 
-/** Puts a window where it was, if it can be seen there, and notes where it is at the end. */
+/** Puts a window where it was, if it can be seen there, or else makes it as large as its parts need; and notes where it is at the end. */
 final class WindowPlace {
     /** The piece of a window's upper edge that must be on a screen, so that it can be taken hold of. */
     private static final int GRIP_WIDTH = 100;
     private static final int GRIP_HEIGHT = 24;
+    /** How large a window is at first, at least. */
+    private static final Dimension LEAST = new Dimension(760, 560);
 
     private final JFrame frame;
     private final Preferences preferences;
-    private final boolean known;
     private Rectangle normal;                                 // not that of a window that fills the screen
 
     WindowPlace(JFrame frame, Preferences preferences) {
         this.frame = frame;
         this.preferences = preferences;
         Rectangle place = seen(preferences.place(), screens());
-        known = place != null;
-        if (known) {
-            frame.setLocationByPlatform(false);
+        if (place == null) {
+            frame.setLocationByPlatform(true);
+            frame.pack();
+            Dimension screen = frame.getToolkit().getScreenSize();
+            int width = Math.min(screen.width, Math.max(LEAST.width, frame.getWidth()));
+            frame.setSize(width, Math.min(screen.height, Math.max(LEAST.height, frame.getHeight())));
+        } else {
             frame.setBounds(place);
+            frame.addNotify();                                // there, and never known to the desktop elsewhere
         }
         if (preferences.isMaximised()) {
             frame.setExtendedState(Frame.MAXIMIZED_BOTH);
@@ -47,11 +54,6 @@ final class WindowPlace {
             }
         };
         frame.addComponentListener(listener);
-    }
-
-    /** {@return whether the window has its bounds from here} Else they are for others to find. */
-    boolean isKnown() {
-        return known;
     }
 
     private void note() {

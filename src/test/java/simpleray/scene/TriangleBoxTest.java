@@ -35,10 +35,7 @@ class TriangleBoxTest {
         "9, 3, 4,  0, 0, 1,  Infinity",
     })
     void aRayEntersItOrMissesIt(double x, double y, double z, double dx, double dy, double dz, double entry) {
-        TriangleProbe probe = new TriangleProbe();
-        probe.start(x, y, z, dx, dy, dz);
-
-        assertThat(tree.enter(0, probe)).isBetween(entry - ROUNDINGS, entry);
+        assertThat(entered(x, y, z, dx, dy, dz)).isBetween(entry - ROUNDINGS, entry);
     }
 
     /** Along a side, an edge or through a corner it is not missed. */
@@ -55,10 +52,7 @@ class TriangleBoxTest {
         "0, 6, 7,  1, -2, -1,  1",
     })
     void itsSidesBelongToIt(double x, double y, double z, double dx, double dy, double dz, double entry) {
-        TriangleProbe probe = new TriangleProbe();
-        probe.start(x, y, z, dx, dy, dz);
-
-        assertThat(tree.enter(0, probe)).isBetween(entry - ROUNDINGS, entry);
+        assertThat(entered(x, y, z, dx, dy, dz)).isBetween(entry - ROUNDINGS, entry);
     }
 
     /** However the ray goes: the stretches between the box's three pairs of sides overlap, or it is missed. */
@@ -83,10 +77,8 @@ class TriangleBoxTest {
             if (Math.abs(near - far) < ROUNDINGS) {
                 continue;                                     // too close to tell
             }
-            TriangleProbe probe = new TriangleProbe();
-            probe.start(from[0], from[1], from[2], by[0], by[1], by[2]);
 
-            double entry = tree.enter(0, probe);
+            double entry = entered(from[0], from[1], from[2], by[0], by[1], by[2]);
 
             if (near > far) {
                 assertThat(entry).as("ray %d misses", i).isInfinite();
@@ -107,5 +99,12 @@ class TriangleBoxTest {
             double high = new double[] {2, 4, 6}[axis];
             assertThat(box[axis + 3]).isBetween(Math.nextUp(high), high * (1 + 1e-13));
         }
+    }
+
+    /** {@return where a ray from x, y, z in direction dx, dy, dz enters the box} */
+    private double entered(double x, double y, double z, double dx, double dy, double dz) {
+        TriangleProbe probe = new TriangleProbe();
+        probe.start(x, y, z, dx, dy, dz);
+        return tree.enter(0, probe);
     }
 }

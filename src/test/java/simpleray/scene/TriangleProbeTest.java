@@ -42,7 +42,7 @@ class TriangleProbeTest {
             }
 
             probe.start(origin.x, origin.y, origin.z, direction.x, direction.y, direction.z);
-            probe.look(v, 0, 3, 6, i);
+            look(v, i);
 
             if (least < 0 || t < 0) {
                 assertThat(probe.triangle).as("triangle %d", i).isEqualTo(-1);
@@ -84,8 +84,8 @@ class TriangleProbeTest {
     @Test
     void ofTwoAtTheSameTTheLowerNumberIsHit() {
         probe.start(1, 1, 0, 0, 0, 1);
-        probe.look(CORNER, 0, 3, 6, 7);
-        probe.look(CORNER, 0, 3, 6, 9);
+        look(CORNER, 7);
+        look(CORNER, 9);
         assertThat(probe.triangle).isEqualTo(7);
         probe.look(CORNER, 6, 0, 3, 4);
         assertThat(probe.triangle).isEqualTo(4);
@@ -97,10 +97,10 @@ class TriangleProbeTest {
         double[] farther = {0, 0, 6, 4, 0, 6, 0, 4, 6};
         double[] nearer = {0, 0, 4, 4, 0, 4, 0, 4, 4};
         probe.start(1, 1, 0, 0, 0, 1);
-        probe.look(CORNER, 0, 3, 6, 1);
-        probe.look(farther, 0, 3, 6, 0);
+        look(CORNER, 1);
+        look(farther, 0);
         assertThat(probe.triangle).isEqualTo(1);
-        probe.look(nearer, 0, 3, 6, 2);
+        look(nearer, 2);
         assertThat(probe.triangle).isEqualTo(2);
         assertThat(probe.t).isEqualTo(4);
     }
@@ -110,13 +110,13 @@ class TriangleProbeTest {
     void aHitIsBeyondTheThreshold() {
         double[] atOnce = {0, 0, Object.THRESHOLD, 4, 0, Object.THRESHOLD, 0, 4, Object.THRESHOLD};
         probe.start(1, 1, 0, 0, 0, 1);
-        probe.look(atOnce, 0, 3, 6, 1);
+        look(atOnce, 1);
         assertThat(probe.triangle).isEqualTo(-1);
         probe.start(1, 1, 0, 0, 0, 0.5);
-        probe.look(atOnce, 0, 3, 6, 1);
+        look(atOnce, 1);
         assertThat(probe.triangle).isEqualTo(1);
         probe.start(1, 1, 6, 0, 0, 1);
-        probe.look(CORNER, 0, 3, 6, 1);
+        look(CORNER, 1);
         assertThat(probe.triangle).isEqualTo(-1);
     }
 
@@ -124,8 +124,13 @@ class TriangleProbeTest {
     @Test
     void aRayInThePlaneHitsNothing() {
         probe.start(-1, 1, 5, 1, 0, 0);
-        probe.look(CORNER, 0, 3, 6, 1);
+        look(CORNER, 1);
         assertThat(probe.triangle).isEqualTo(-1);
+    }
+
+    /** Tries a triangle whose corners stand in this order. */
+    private void look(double[] corners, int number) {
+        probe.look(corners, 0, 3, 6, number);
     }
 
     private static Point point(double[] from, int at) {
