@@ -2,7 +2,6 @@ package simpleray.accel;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.concurrent.RecursiveTask;
 
 /**
  * A bounding volume hierarchy, four children a node (Dammertz, Hanika and Keller, "Shallow Bounding Volume Hierarchies for Fast SIMD Ray
@@ -47,7 +46,7 @@ final class Bvh implements Structure {
      * @param pool who may work on it
      */
     static Bvh build(Boxes boxes, Pool pool) {
-        Node root = pool.run(new Task(new Span(boxes, 0, boxes.count()), 0));
+        Node root = pool.run(new NodeTask(pool, new Span(boxes, 0, boxes.count()), 0));
         return new Bvh(boxes, root, root.count());
     }
 
@@ -81,21 +80,22 @@ final class Bvh implements Structure {
     }
 
     /** Builds the node of a span. */
-    private static final class Task extends RecursiveTask<Node> {
+    private static final class NodeTask extends Pool.Task<Node> {
         private static final long serialVersionUID = 1L;
         private final transient Span span;
         private final int depth;
 
-        Task(Span span, int depth) {
+        NodeTask(Pool pool, Span span, int depth) {
+            super(pool);
             this.span = span;
             this.depth = depth;
         }
 
         @Override
-        protected Node compute() {
+        Node find() {
             Node node = new Node();
             List<Span> spans = spans();
-            Task[] forked = new Task[WIDTH];
+            NodeTask[] forked = new NodeTask[WIDTH];
             for (int i = 0; i < WIDTH; i++) {
                 if (i >= spans.size()) {
                     for (int side = 0; side < Boxes.SIDES; side++) {
@@ -110,12 +110,12 @@ final class Bvh implements Structure {
                 if (leaf(part)) {
                     node.leaves[i] = ~(part.first << COUNT_BITS | part.count());
                 } else {
-                    Task task = new Task(part, depth + 1);
+                    NodeTask task = new NodeTask(pool, part, depth + 1);
                     if (part.count() >= TASK) {
                         forked[i] = task;
                         task.fork();
                     } else {
-                        node.nodes[i] = task.compute();
+                        node.nodes[i] = task.find();
                     }
                 }
             }

@@ -80,7 +80,7 @@ public final class Engine {
             Grid grid = many && kind != Kind.BVH ? Grid.of(boxes, kind == Kind.GRID) : null;
             structure = many && grid == null ? Bvh.build(boxes, pool) : grid;
             // from here on the order of the boxes stays, and all else can be made at once
-            ForkJoinTask<?> filling = grid == null ? null : pool.begin(() -> grid.fill());
+            ForkJoinTask<Grid> filling = grid == null ? null : pool.begin(() -> grid.fill());
             boolean seen = lists && bounded.length >= TREE;
             ForkJoinTask<DirectionBuffer> fromEye = seen ? pool.begin(() -> DirectionBuffer.of(boxes, eye)) : null;
             List<ForkJoinTask<DirectionBuffer>> fromLights = new ArrayList<>();
@@ -93,12 +93,12 @@ public final class Engine {
             for (int i = 0; i < buffers; i++) {
                 lightFew[i] = lights[i] instanceof PointLight light ? few(light.origin) : null;
             }
-            eyeBuffer = fromEye == null ? null : fromEye.join();
+            eyeBuffer = fromEye == null ? null : pool.await(fromEye);
             for (int i = 0; i < fromLights.size(); i++) {
-                lightBuffers[i] = fromLights.get(i) == null ? null : fromLights.get(i).join();
+                lightBuffers[i] = fromLights.get(i) == null ? null : pool.await(fromLights.get(i));
             }
             if (filling != null) {
-                filling.join();
+                pool.await(filling);
             }
         }
     }

@@ -225,23 +225,28 @@ final class Keeper implements RowSink, Closeable {
         } catch (InterruptedException e) {                    // the rendering has ended
             return;
         }
-        Map<String, String> picture = identity.get();         // takes its time, while others go on
-        synchronized (this) {
-            if (early == null) {                              // the rendering has ended meanwhile
-                return;
-            }
-            try {
-                checkpoint = create(picture);
-                for (Early row : early) {
-                    byte[] levels = row.levels.get();
-                    if (levels != null) {
-                        checkpoint.put(row.y, levels, 0);
-                    }
+        try {
+            begin(identity.get());                            // which takes its time, while others go on
+        } catch (OutOfMemoryError e) {
+            giveUp("there is no memory left for it");
+        }
+    }
+
+    private synchronized void begin(Map<String, String> picture) {
+        if (early == null) {                                  // the rendering has ended meanwhile
+            return;
+        }
+        try {
+            checkpoint = create(picture);
+            for (Early row : early) {
+                byte[] levels = row.levels.get();
+                if (levels != null) {
+                    checkpoint.put(row.y, levels, 0);
                 }
-                early = null;
-            } catch (IOException e) {
-                giveUp(e);
             }
+            early = null;
+        } catch (IOException e) {
+            giveUp(e);
         }
     }
 
@@ -261,9 +266,13 @@ final class Keeper implements RowSink, Closeable {
     }
 
     /** The picture is worth more than what would be needed to go on with it: the rendering does not end for this. */
-    private void giveUp(IOException e) {
-        notes.say(path + ": rows are not kept any more: " + (e instanceof FileSystemException f ? reason(f) : e.getMessage()));
+    private synchronized void giveUp(String reason) {
+        notes.say(path + ": rows are not kept any more: " + reason);
         end();
+    }
+
+    private void giveUp(IOException e) {
+        giveUp(e instanceof FileSystemException f ? reason(f) : e.getMessage());
     }
 
     /** Notes that the picture is whole: what was kept of it is not needed any more. */

@@ -8,6 +8,7 @@ import java.io.PrintStream;
 import java.nio.file.InvalidPathException;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.IVersionProvider;
+import simpleray.render.OutOfMemory;
 
 /** The program: {@code simpleray SCENE} opens the window, the other commands work without one. */
 @Command(name = "simpleray", versionProvider = Main.Version.class, mixinStandardHelpOptions = true,
@@ -60,9 +61,6 @@ public final class Main implements Runnable {
         try {
             PlainCommand plain = PlainLine.read(main, args);
             return plain == null ? new Commands(main).execute(args) : main.run(plain);
-        } catch (OutOfMemoryError e) {
-            err.println("simpleray: the scene or the picture is too large for the memory: make it smaller, or give java more by -Xmx");
-            return ExitCode.NO_MEMORY;
         } catch (Error e) {
             return main.internal(e);
         }
@@ -98,6 +96,10 @@ public final class Main implements Runnable {
     }
 
     private int internal(Throwable e) {
+        if (OutOfMemory.isBehind(e)) {
+            err.println("simpleray: " + OutOfMemory.MESSAGE);
+            return ExitCode.NO_MEMORY;
+        }
         err.println("simpleray: internal error, which should not happen whatever the input: " + e);
         e.printStackTrace(err);
         return ExitCode.INTERNAL;

@@ -3,7 +3,6 @@ package simpleray.render;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CancellationException;
-import java.util.concurrent.atomic.AtomicReference;
 import java.util.concurrent.atomic.AtomicReferenceArray;
 import java.util.function.Consumer;
 import java.util.function.IntFunction;
@@ -39,7 +38,7 @@ public final class Renderer {
     private final Region region;                              // the piece of what the camera sees that the picture has
     private final Picture picture;
     private final Rows rows;
-    private final AtomicReference<Throwable> fault = new AtomicReference<>();
+    private volatile Throwable fault;                         // what a thread threw; the first, or of two at once one
     private volatile boolean cancelled;
     private volatile Engine ready;                            // kept for who asks about pixels
     private volatile PassWork passes;                         // null unless it renders in passes
@@ -199,10 +198,10 @@ public final class Renderer {
         }
         this.work = new Work(engine == null ? null : engine.tally(), Progress.seconds(start, begin),
             Progress.seconds(begin, System.nanoTime()));
-        if (fault.get() instanceof Error error) {
+        if (fault instanceof Error error) {
             throw error;
         }
-        if (fault.get() instanceof RuntimeException exception) {
+        if (fault instanceof RuntimeException exception) {
             throw exception;
         }
         if (cancelled) {
@@ -288,7 +287,9 @@ public final class Renderer {
         try {
             work.accept(engine);
         } catch (RuntimeException | Error e) {                // reported by render(), after all threads have ended
-            fault.compareAndSet(null, e);
+            if (fault == null) {                              // which takes no memory: there may be none left
+                fault = e;
+            }
             cancel();
         }
     }

@@ -33,10 +33,11 @@ public final class SceneBytes extends InputStream {
     private int headAt;
     private List<byte[]> pieces = new ArrayList<>();          // null if they are too long
     private long length;
-    private final Sha256 sum = new Sha256();
+    private final Sha256 sum;
     private final BlockingQueue<Piece> undigested = new ArrayBlockingQueue<>(AHEAD);
     private final BlockingQueue<byte[]> used = new ArrayBlockingQueue<>(AHEAD);   // to be used again, or a gigabyte would be allocated
     private Thread digester;                                  // null as long as the file is short
+    private volatile Throwable fault;                         // what ended it
     private List<Piece> first = new ArrayList<>();           // what was read until then
     private String hex;
 
@@ -47,8 +48,14 @@ public final class SceneBytes extends InputStream {
      * @param longest so many bytes are kept at most, and none of a longer file
      */
     public SceneBytes(InputStream in, int longest) {
+        this(in, longest, new Sha256());
+    }
+
+    /** Begins to read, with a digest of no bytes. */
+    SceneBytes(InputStream in, int longest, Sha256 sum) {
         this.in = in;
         this.longest = longest;
+        this.sum = sum;
     }
 
     /**
@@ -131,7 +138,7 @@ public final class SceneBytes extends InputStream {
         try {
             while (!undigested.offer(piece, 1, TimeUnit.SECONDS)) {
                 if (!digester.isAlive()) {
-                    throw new IOException("the digest cannot be computed");
+                    throw undigested();
                 }
             }
         } catch (InterruptedException e) {
@@ -150,7 +157,17 @@ public final class SceneBytes extends InputStream {
             }
         } catch (InterruptedException e) {
             return;                                           // nobody does
+        } catch (RuntimeException | Error e) {                // of want of memory, above all
+            fault = e;
         }
+    }
+
+    /** Throws what ended the digest. */
+    private IOException undigested() {
+        if (fault instanceof Error error) {
+            throw error;
+        }
+        return new IOException("the digest cannot be computed", fault);
     }
 
     /**
@@ -167,6 +184,9 @@ public final class SceneBytes extends InputStream {
                     digester.join();
                 } catch (InterruptedException e) {
                     throw interrupted();
+                }
+                if (fault != null) {
+                    throw undigested();
                 }
             } else {
                 for (Piece piece : first) {

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.concurrent.CancellationException;
 import simpleray.image.Picture;
 import simpleray.render.Explainer;
+import simpleray.render.OutOfMemory;
 import simpleray.render.PreparedScene;
 import simpleray.render.Progress;
 import simpleray.render.Provenance;
@@ -255,7 +256,8 @@ final class Rendering {
             findings = Findings.of(e, source.name());
             end = State.FAILED;
         } catch (RuntimeException | Error e) {
-            failure = "The program failed, which should not happen whatever the scene: " + e;
+            failure = OutOfMemory.isBehind(e) ? OutOfMemory.MESSAGE
+                : "The program failed, which should not happen whatever the scene: " + e;
             end = State.FAILED;
         }
         Progress counted = progress;

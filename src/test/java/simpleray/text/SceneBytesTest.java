@@ -156,4 +156,38 @@ class SceneBytesTest {
         assertThat(Thread.interrupted()).isTrue();
         in.close();
     }
+
+    /** Memory may end on any thread; who reads must hear of it, as of all else. */
+    @ParameterizedTest
+    @ValueSource(ints = {LONG, 3_000_000})
+    void whatEndsTheThreadThatDigestsIsThrownWhereItIsReadOrAskedFor(int length) throws IOException {
+        OutOfMemoryError full = new OutOfMemoryError("made up");
+        SceneBytes in = new SceneBytes(new ByteArrayInputStream(new byte[length]), 0, new Sha256() {
+            @Override
+            public void update(byte[] bytes, int from, int count) {
+                throw full;
+            }
+        });
+
+        assertThatThrownBy(() -> {
+            in.readAllBytes();
+            in.sha256();
+        }).isSameAs(full);
+        in.close();
+    }
+
+    @Test
+    void aFaultOfTheDigestIsAFileThatCannotBeRead() throws IOException {
+        IllegalStateException fault = new IllegalStateException("made up");
+        SceneBytes in = new SceneBytes(new ByteArrayInputStream(new byte[LONG]), 0, new Sha256() {
+            @Override
+            public void update(byte[] bytes, int from, int count) {
+                throw fault;
+            }
+        });
+        in.readAllBytes();
+
+        assertThatThrownBy(in::sha256).isInstanceOf(IOException.class).hasMessage("the digest cannot be computed").hasCause(fault);
+        in.close();
+    }
 }

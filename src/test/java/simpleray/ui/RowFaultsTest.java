@@ -7,6 +7,7 @@ import java.awt.image.BufferedImage;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import simpleray.math.Ray;
+import simpleray.scene.SceneFile;
 
 /** A program that fails at some rows: it says so, marks them, and shows the others. */
 class RowFaultsTest {
@@ -54,6 +55,25 @@ class RowFaultsTest {
             Rectangle place = window.picture().place();
             return place.width == SIDE && onlyHatched(window.screen.capture(window.picture(), place));
         });
+    }
+
+    @Test
+    void aSceneThatIsTooLargeForTheMemoryIsToldAsSuch() {
+        window = new OpenWindow(new SceneSource() {
+            @Override
+            public String name() {
+                return "vast.scene";
+            }
+
+            @Override
+            public SceneFile read() {
+                throw new OutOfMemoryError("made up");
+            }
+        }, SIDE, SIDE);
+        window.untilState(Rendering.State.FAILED);
+
+        assertThat(window.problems().getText()).isEqualTo("the scene or the picture is too large for the memory: make it "
+            + "smaller, or give java more by -Xmx");
     }
 
     @Test
