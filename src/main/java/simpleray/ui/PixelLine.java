@@ -10,13 +10,13 @@ final class PixelLine {
     private PixelLine() {
     }
 
-    /** {@return a pixel's place and colour, as far as that is known; null if there is no such pixel} */
+    /** {@return a pixel's place and colour, as far as that is known; null if there is no such pixel} The picture may be null, as not begun. */
     static String colours(Picture light, Point pixel) {
-        if (pixel.x >= light.width() || pixel.y >= light.height()) {
+        if (light != null && (pixel.x >= light.width() || pixel.y >= light.height())) {
             return null;
         }
         String text = "x " + pixel.x + ", y " + pixel.y;
-        double[] row = light.row(pixel.y);
+        double[] row = light == null ? null : light.row(pixel.y);
         if (row == null) {
             return text + "   not rendered yet";
         }

@@ -37,7 +37,7 @@ class FiguresTest {
     private static final String SCENE = "2\n0  0 0 -1  1.2  0.9 0.3 0.2  0.9 0.3 0.2  0.5 0.5 0.5  %s\n"
         + "1  0 1 0  -1  0.4 0.4 0.4  0.6 0.6 0.6  0.3 0.3 0.3  %s\n0.3 0.3 0.3\n1\n0  0.9 0.9 0.8  -2 3 2\n";
     private static final Resolution SIZE = new Resolution(20, 10);
-    private static final String TIME = "0\\.\\d s";
+    private static final String TIME = "\\d+\\.\\d s";
 
     @TempDir
     Path folder;

@@ -98,7 +98,7 @@ class LittleMemoryTest {
     void manySpheresThatDoNotFitAreRefused(int n, String threads) throws IOException, InterruptedException {
         spheres(n);
 
-        assertIsTooLarge(run("-Xmx64m", "render", "crowd.scene", "-o", "crowd.png", "--size", "40x40", "--threads", threads));
+        assertIsTooLarge(run("-Xmx64m", "render", "crowd.scene", "-o", "crowd.png", "-q", "--size", "40x40", "--threads", threads));
     }
 
     @Test

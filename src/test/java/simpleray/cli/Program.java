@@ -61,7 +61,8 @@ public final class Program {
 
     /** {@return java, ready to start, with an environment that changes nothing} */
     public static ProcessBuilder java(Path javaHome, Path folder, List<String> args) {
-        List<String> line = new ArrayList<>(List.of(javaHome.resolve("bin/java").toString(), "-XX:TieredStopAtLevel=1"));
+        // with its performance data, one Java that starts beside another may say on standard output that it cannot have them
+        List<String> line = new ArrayList<>(List.of(javaHome.resolve("bin/java").toString(), "-XX:TieredStopAtLevel=1", "-XX:-UsePerfData"));
         line.addAll(args);
         ProcessBuilder builder = new ProcessBuilder(line).directory(folder.toFile());
         builder.environment().keySet().removeAll(List.of("DISPLAY", "JAVA_TOOL_OPTIONS", "_JAVA_OPTIONS", "JDK_JAVA_OPTIONS"));
@@ -81,8 +82,8 @@ public final class Program {
 
     private static Result finish(Process process, byte[] in, InputStream stdout) throws IOException, InterruptedException {
         try {
-            CompletableFuture<byte[]> out = CompletableFuture.supplyAsync(() -> all(stdout));
-            CompletableFuture<byte[]> err = CompletableFuture.supplyAsync(() -> all(process.getErrorStream()));
+            CompletableFuture<byte[]> out = CompletableFuture.supplyAsync(() -> all(stdout), Program::onItsOwn);
+            CompletableFuture<byte[]> err = CompletableFuture.supplyAsync(() -> all(process.getErrorStream()), Program::onItsOwn);
             try (OutputStream stdin = process.getOutputStream()) {
                 stdin.write(in);
             }
@@ -93,6 +94,13 @@ public final class Program {
         } finally {
             process.destroyForcibly();
         }
+    }
+
+    /** Runs a task on a thread that it waits for no other on. */
+    private static void onItsOwn(Runnable task) {
+        Thread thread = new Thread(task, "reader of a program");
+        thread.setDaemon(true);
+        thread.start();
     }
 
     private static byte[] all(InputStream in) {

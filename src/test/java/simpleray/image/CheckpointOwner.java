@@ -23,7 +23,7 @@ public final class CheckpointOwner {
         Path path = Path.of(args[0]);
         Path owned = Path.of(args[1]);
         int owner = 0;
-        for (int i = 0; i < ROUNDS; i++) {
+        for (int i = 0; i < ROUNDS || owner == 0; i++) {
             try {
                 Checkpoint checkpoint = Checkpoint.create(path, Map.of("version", "1"), 2, 1);
                 Files.createFile(owned);

@@ -163,6 +163,18 @@ class RendererPassesTest {
                 renderer[0].setPaused(true);
                 early.countDown();
             }
+
+            @Override
+            public void partFinished(Part part, double[] rgb) {
+                if (part.size() < 8) {                        // however slow the other thread is, the picture is not whole before the pause
+                    try {
+                        early.await();
+                    } catch (InterruptedException e) {
+                        throw new IllegalStateException(e);
+                    }
+                }
+                super.partFinished(part, rgb);
+            }
         };
         Thread rendering = new Thread(() ->
             assertThatThrownBy(() -> renderer[0].renderPasses(told, null, false)).isInstanceOf(CancellationException.class));

@@ -43,6 +43,12 @@ class InspectorTest {
         robot = new Robot();
     }
 
+    /** Between two renderings the first lets go of its picture, which is on the screen until the next has one. */
+    @Test
+    void ofAPictureThatIsNotBegunItIsSaidThatItIsNotRenderedYet() {
+        assertThat(PixelLine.colours(null, new Point(3, 4))).isEqualTo("x 3, y 4   not rendered yet");
+    }
+
     @Test
     void theStatusBarTellsOfThePixelUnderTheMouse() throws Exception {
         Explainer explainer = explainer(Stage.FINAL);

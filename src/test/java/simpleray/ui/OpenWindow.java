@@ -1,5 +1,7 @@
 package simpleray.ui;
 
+import static org.assertj.core.api.Assertions.assertThat;
+
 import com.formdev.flatlaf.FlatLightLaf;
 import java.awt.Component;
 import java.awt.Container;
@@ -8,6 +10,8 @@ import java.awt.Window;
 import java.awt.image.BufferedImage;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Queue;
+import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.FutureTask;
 import java.util.concurrent.TimeUnit;
@@ -33,6 +37,7 @@ final class OpenWindow implements AutoCloseable {
     final Screen screen = new Screen();
     final ViewerFrame frame;
     final AtomicBoolean closed = new AtomicBoolean();
+    private final Queue<Throwable> uncaught = new ConcurrentLinkedQueue<>();
 
     /** Shows a window, and waits until it has the keys. */
     OpenWindow(SceneSource source, int width, int height) {
@@ -41,6 +46,12 @@ final class OpenWindow implements AutoCloseable {
 
     /** Does something with the window, shows it, and waits until it has the keys. */
     OpenWindow(SceneSource source, int width, int height, Consumer<ViewerFrame> first) {
+        Thread.setDefaultUncaughtExceptionHandler((thread, thrown) -> {
+            thrown.printStackTrace();
+            if (Arrays.stream(thrown.getStackTrace()).anyMatch(call -> call.getClassName().startsWith("simpleray."))) {
+                uncaught.add(thrown);
+            }
+        });
         frame = ask(() -> {
             FlatLightLaf.setup();
             ViewerFrame made = new ViewerFrame(source, request(width, height), () -> closed.set(true));
@@ -180,5 +191,7 @@ final class OpenWindow implements AutoCloseable {
     public void close() {
         run(frame::close);
         Screen.until("all threads end", () -> threads().isEmpty());
+        Thread.setDefaultUncaughtExceptionHandler(null);
+        assertThat(uncaught).as("what no event and no thread of the window should throw").isEmpty();
     }
 }
