@@ -165,6 +165,9 @@ final class CameraMenu {
             tell(file.name() + '\n' + failure);
             return;
         }
+        if (!frame.isDisplayable()) {                         // closed meanwhile: nothing is to be rendered any more
+            return;
+        }
         SceneSettings now = picture.source() == file ? tool.view() : null;
         if (now != null && ViewLines.of(now).equals(ViewLines.of(view))) {
             tool.adopt();                                     // unless it was moved on meanwhile

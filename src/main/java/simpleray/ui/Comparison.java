@@ -112,7 +112,9 @@ final class Comparison {
         if (picture == seen) {
             latest = found;
             counted.ifMade(counts -> counts.show(found.histogram()));
-            mark();
+            if (marks.isSelected()) {                         // if not, a message may stand there that is to be read
+                mark();
+            }
         }
         if (isComparing()) {
             pane.get().list(history.pictures());

@@ -49,6 +49,7 @@ final class Inspector {
         return thread;
     });
 
+    private boolean untold;                                   // whether a story was asked for that is not there yet
     private Rendering shown;                                  // the one whose rows are on the screen
     private boolean ended;                                    // it had, when it was last looked at
     private Point hovered;
@@ -126,7 +127,7 @@ final class Inspector {
         }
         if (cursor != null) {
             setCursor(cursor);                                // the picture may have become smaller
-            if (isOpen()) {
+            if (isOpen() || untold) {
                 tell(false);
             }
         }
@@ -289,6 +290,7 @@ final class Inspector {
             return;
         }
         cancelTelling();
+        untold = true;
         Rendering rendering = shown;
         Point pixel = cursor;
         telling = submit(() -> {
@@ -312,6 +314,7 @@ final class Inspector {
             return;                                           // closed or moved on
         }
         story = told;
+        untold = false;
         if (!isOpen()) {
             SwingUtilities.updateComponentTreeUI(pane.get());   // the look may have changed while it was in no window
             beside.setRightComponent(pane.get());
@@ -334,7 +337,11 @@ final class Inspector {
 
     private Explainer explainer(Rendering rendering) {
         if (explained != rendering) {
-            explainer = rendering.explainer();
+            Explainer made = rendering.explainer();
+            if (made == null) {
+                throw new CancellationException("the next rendering has begun");
+            }
+            explainer = made;
             explained = rendering;
         }
         return explainer;

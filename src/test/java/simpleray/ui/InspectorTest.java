@@ -90,6 +90,40 @@ class InspectorTest {
     }
 
     @Test
+    void aQuestionBetweenTwoRenderingsIsAnsweredByTheSecond() throws Exception {
+        AtomicBoolean held = new AtomicBoolean();
+        CountDownLatch open = new CountDownLatch(1);
+        SceneSource source = TestScenes.watched(TestScenes.THESIS, ray -> {
+            if (held.get()) {
+                try {
+                    open.await();
+                } catch (InterruptedException e) {
+                    Thread.currentThread().interrupt();
+                }
+            }
+        });
+        try (OpenWindow window = new OpenWindow(source, WIDTH, HEIGHT)) {
+            window.untilState(Rendering.State.FINISHED);
+            Rendering first = window.rendering();
+            held.set(true);
+            OpenWindow.run(() -> window.picture().restart());
+            Screen.until("the next has begun", () -> window.picture().rendering() != first
+                && window.picture().rendering().state() == Rendering.State.RENDERING);
+            Point pixel = new Point(45, 36);
+            move(window, pixel);
+            Screen.until("the mouse is noticed", () -> window.label("pixel").startsWith("x 45, y 36   not rendered yet"));
+            window.screen.press(KeyEvent.VK_I);
+
+            assertThat(OpenWindow.ask(InspectorTest::tree)).isNull();
+            open.countDown();
+            untilStory(window, explainer(Stage.FINAL).story(45, 36));
+            assertThat(window.status()).doesNotContain("cannot be told");
+        } finally {
+            open.countDown();
+        }
+    }
+
+    @Test
     void keysOpenMoveCopyAndCloseTheStory() throws Exception {
         Explainer explainer = explainer(Stage.FINAL);
         try (OpenWindow window = finished()) {

@@ -55,6 +55,7 @@ class ManyWindowsTest {
             OpenWindow window = new OpenWindow(TestScenes.slow(TestScenes.THESIS), 200, 200);
             Screen.until("it renders", () -> window.picture().rendering().state() == Rendering.State.RENDERING
                 && OpenWindow.threads().size() > 1);
+            Screen.until("the icon is made, which is once", () -> !window.frame.getIconImages().isEmpty());
             long begin = System.nanoTime();
             window.close();                                   // and waits until the threads have ended
             longest = Math.max(longest, (System.nanoTime() - begin) / 1e6);

@@ -1,7 +1,5 @@
 package simpleray.ui;
 
-import static org.assertj.core.api.Assertions.assertThat;
-
 import com.formdev.flatlaf.FlatLightLaf;
 import java.awt.Component;
 import java.awt.Container;
@@ -48,7 +46,8 @@ final class OpenWindow implements AutoCloseable {
     OpenWindow(SceneSource source, int width, int height, Consumer<ViewerFrame> first) {
         Thread.setDefaultUncaughtExceptionHandler((thread, thrown) -> {
             thrown.printStackTrace();
-            if (Arrays.stream(thrown.getStackTrace()).anyMatch(call -> call.getClassName().startsWith("simpleray."))) {
+            if (Arrays.stream(thrown.getStackTrace()).map(StackTraceElement::getClassName)
+                .takeWhile(name -> !name.equals("java.awt.EventDispatchThread")).anyMatch(name -> name.startsWith("simpleray."))) {
                 uncaught.add(thrown);
             }
         });
@@ -192,6 +191,8 @@ final class OpenWindow implements AutoCloseable {
         run(frame::close);
         Screen.until("all threads end", () -> threads().isEmpty());
         Thread.setDefaultUncaughtExceptionHandler(null);
-        assertThat(uncaught).as("what no event and no thread of the window should throw").isEmpty();
+        if (!uncaught.isEmpty()) {
+            throw new AssertionError("an event or a thread of the window threw", uncaught.peek());
+        }
     }
 }

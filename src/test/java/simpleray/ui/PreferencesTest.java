@@ -172,5 +172,6 @@ class PreferencesTest {
     private static void end(Preferences preferences) throws InterruptedException {
         preferences.close();
         preferences.await();
+        Screen.until("all is written", () -> !OpenWindow.threads().contains("simpleray-preferences"));
     }
 }

@@ -35,7 +35,7 @@ class SceneWatcherTest {
     void close() throws InterruptedException {
         watcher.close();
         watcher.await();
-        assertThat(OpenWindow.threads()).isEmpty();
+        Screen.until("its thread ends", () -> OpenWindow.threads().isEmpty());
     }
 
     @ParameterizedTest

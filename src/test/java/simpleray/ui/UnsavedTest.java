@@ -4,9 +4,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.event.KeyEvent;
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
 import javax.swing.JButton;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -77,7 +79,7 @@ class UnsavedTest {
     @Test
     void whatAnotherProgramWroteIsTakenOnRequestAndUndoBringsBackMine() {
         openChanged();
-        TestScenes.write(scene, THEIRS);
+        writeAsAnother(THEIRS);
         untilBanner();
         assertThat(text()).isEqualTo(MINE);
         click("Reload");
@@ -92,7 +94,7 @@ class UnsavedTest {
     @Test
     void mineIsKeptOnRequestAndThenSavedOverTheirs() throws IOException {
         openChanged();
-        TestScenes.write(scene, THEIRS);
+        writeAsAnother(THEIRS);
         untilBanner();
         click("Keep Mine");
         Screen.until("the banner is gone", () -> banner() == null);
@@ -106,7 +108,7 @@ class UnsavedTest {
     @Test
     void savingNeverOverwritesWhatWasNotSeen() throws IOException {
         openChanged();
-        TestScenes.write(scene, THEIRS);
+        writeAsAnother(THEIRS);
         window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_S);
 
         untilBanner();
@@ -119,7 +121,7 @@ class UnsavedTest {
         open(SceneSource.file(write(TEXT)));
         OpenWindow.run(() -> window.frame.scene().editor().area().setCaretPosition(TEXT.indexOf("1 1 1")));
         String other = "# more\n" + THEIRS;
-        TestScenes.write(scene, other);
+        writeAsAnother(other);
 
         Screen.until("the text is the file's", () -> text().equals(other));
         assertThat(OpenWindow.ask(() -> window.frame.scene().editor().area().getCaretPosition())).isEqualTo(other.indexOf("1 1 1"));
@@ -167,6 +169,15 @@ class UnsavedTest {
         assertThat(Files.readString(scene)).isEqualTo(THEIRS);
         assertThat(text()).isEqualTo(MINE);
         assertThat(OpenWindow.ask(window.frame::getTitle)).isEqualTo("*<stdin> - SimpleRay");
+    }
+
+    /** Another program saves the scene, as a whole. */
+    private void writeAsAnother(String text) {
+        try {
+            Files.move(TestScenes.write(folder.resolve("another.scene"), text), scene, StandardCopyOption.ATOMIC_MOVE);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
     }
 
     private void saveOverTheirs(String answer) {

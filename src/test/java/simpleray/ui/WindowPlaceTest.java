@@ -87,5 +87,6 @@ class WindowPlaceTest {
     private static void close(ViewerFrame frame) throws InterruptedException {
         OpenWindow.run(frame::close);
         frame.await();
+        Screen.until("all is written", () -> !OpenWindow.threads().contains("simpleray-preferences"));
     }
 }
