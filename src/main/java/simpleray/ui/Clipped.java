@@ -50,16 +50,9 @@ final class Clipped {
         return image;
     }
 
-    /** {@return a picture as a screen shows it, with or without its marks} Without them it is the packed pixels themselves. */
-    static BufferedImage image(int[] packed, int width, int height, boolean marked) {
-        int[] shown = packed;
-        if (marked) {
-            shown = packed.clone();
-            for (int i = 0; i < shown.length; i++) {
-                shown[i] = mark(shown[i]) != 0 ? mark(shown[i]) : shown[i];
-            }
-        }
-        WritableRaster raster = Raster.createPackedRaster(new DataBufferInt(shown, shown.length), width, height, width, MASKS, null);
+    /** {@return a picture as a screen shows it; its pixels are the packed ones themselves} */
+    static BufferedImage image(int[] packed, int width, int height) {
+        WritableRaster raster = Raster.createPackedRaster(new DataBufferInt(packed, packed.length), width, height, width, MASKS, null);
         return new BufferedImage(new DirectColorModel(BITS, MASKS[0], MASKS[1], MASKS[2]), raster, false, null);
     }
 }

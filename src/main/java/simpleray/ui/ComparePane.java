@@ -7,12 +7,14 @@ import java.awt.Rectangle;
 import java.awt.event.KeyEvent;
 import java.awt.image.BufferedImage;
 import java.util.List;
+import java.util.concurrent.Executor;
 import javax.swing.BorderFactory;
 import javax.swing.DefaultComboBoxModel;
 import javax.swing.JButton;
 import javax.swing.JComboBox;
 import javax.swing.JPanel;
 import javax.swing.Scrollable;
+import javax.swing.SwingUtilities;
 
 /** Two of the last pictures, which are chosen above them. In place of the picture, in its scroll pane. */
 final class ComparePane extends JPanel implements Scrollable {
@@ -22,11 +24,18 @@ final class ComparePane extends JPanel implements Scrollable {
     private final JComboBox<Finished> left = choice("Left picture");
     private final JComboBox<Finished> right = choice("Right picture");
     private final CompareView view = new CompareView();
+    private final transient Executor looker;
     private boolean marked;
     private boolean listing;
 
-    ComparePane() {
+    /**
+     * Creates the pane.
+     *
+     * @param looker does what takes long, on another thread
+     */
+    ComparePane(Executor looker) {
         super(new BorderLayout());
+        this.looker = looker;
         setName("compare");
         JButton swap = new JButton("Swap");
         swap.setMnemonic(KeyEvent.VK_W);
@@ -88,14 +97,30 @@ final class ComparePane extends JPanel implements Scrollable {
     private void showChosen() {
         if (!listing && view != null) {
             view.setPictures(image(left), image(right));
+            Object one = left.getSelectedItem();
+            Object other = right.getSelectedItem();
+            if (marked && one != null && other != null) {
+                looker.execute(() -> mark((Finished) one, (Finished) other));
+            }
         }
+    }
+
+    /** Finds the marks of two pictures, and shows them if these are still the ones that are compared. */
+    private void mark(Finished one, Finished other) {
+        BufferedImage ones = one.marks();
+        BufferedImage others = other.marks();
+        SwingUtilities.invokeLater(() -> {
+            if (marked && one == left.getSelectedItem() && other == right.getSelectedItem()) {
+                view.setMarks(ones, others);
+            }
+        });
     }
 
     private BufferedImage image(JComboBox<Finished> box) {
         Finished chosen = (Finished) box.getSelectedItem();
         box.setToolTipText(chosen == null ? null : chosen.options());
         int[] pixels = chosen == null ? null : chosen.pixels();
-        return pixels == null ? null : Clipped.image(pixels, chosen.width(), chosen.height(), marked);
+        return pixels == null ? null : Clipped.image(pixels, chosen.width(), chosen.height());
     }
 
     @Override

@@ -25,6 +25,8 @@ final class CompareView extends DrawnComponent {
 
     private transient BufferedImage left;
     private transient BufferedImage right;
+    private transient BufferedImage leftMarks;                // painted over them; null for none
+    private transient BufferedImage rightMarks;
     private boolean wiped;
     private double divider = 0.5;                             // 0 at the left edge of the pictures, 1 at the right
 
@@ -76,6 +78,13 @@ final class CompareView extends DrawnComponent {
     void setPictures(BufferedImage one, BufferedImage other) {
         left = one;
         right = other;
+        setMarks(null, null);
+    }
+
+    /** Paints something of the same size over each; null for nothing. */
+    void setMarks(BufferedImage one, BufferedImage other) {
+        leftMarks = one;
+        rightMarks = other;
         repaint();
     }
 
@@ -142,7 +151,9 @@ final class CompareView extends DrawnComponent {
             paintWiped(canvas);
         } else {
             draw(canvas, left, leftPlace());
+            draw(canvas, leftMarks, leftPlace());
             draw(canvas, right, rightPlace());
+            draw(canvas, rightMarks, rightPlace());
         }
         canvas.dispose();
     }
@@ -153,10 +164,12 @@ final class CompareView extends DrawnComponent {
         Graphics2D before = (Graphics2D) canvas.create();
         before.clipRect(0, 0, x, getHeight());
         draw(before, left, place);
+        draw(before, leftMarks, place);
         before.dispose();
         Graphics2D behind = (Graphics2D) canvas.create();
         behind.clipRect(x, 0, getWidth() - x, getHeight());
         draw(behind, right, place);
+        draw(behind, rightMarks, place);
         behind.dispose();
         canvas.setColor(Color.BLACK);
         canvas.fillRect(x - 1, place.y, 3, place.height);

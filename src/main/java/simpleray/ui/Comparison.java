@@ -49,7 +49,7 @@ final class Comparison {
     }
 
     private ComparePane newPane() {
-        ComparePane made = new ComparePane();
+        ComparePane made = new ComparePane(this::look);
         made.setMarked(marks.isSelected());
         return made;
     }
@@ -88,16 +88,24 @@ final class Comparison {
         }
     }
 
-    private void look(Picture picture, SceneSource source, RenderRequest request, double seconds) {
+    /** Does something on the thread that looks, unless the window is closed. */
+    private void look(Runnable task) {
+        if (closed) {
+            return;
+        }
         if (looker == null) {
-            looker = Executors.newSingleThreadExecutor(task -> {
-                Thread thread = new Thread(task, "simpleray-looking");
+            looker = Executors.newSingleThreadExecutor(work -> {
+                Thread thread = new Thread(work, "simpleray-looking");
                 thread.setDaemon(true);
                 return thread;
             });
         }
+        looker.execute(task);
+    }
+
+    private void look(Picture picture, SceneSource source, RenderRequest request, double seconds) {
         LocalTime now = LocalTime.now(ZoneId.systemDefault());
-        looker.execute(() -> {
+        look(() -> {
             try {
                 Finished found = new Finished(picture, source, request, seconds, now);
                 SwingUtilities.invokeLater(() -> take(picture, found));
@@ -164,7 +172,7 @@ final class Comparison {
             frame.picture().setMarks(null);
             frame.showProgress();                             // in place of what was counted
         } else {
-            looker.execute(() -> {
+            look(() -> {
                 BufferedImage made = found.marks();
                 SwingUtilities.invokeLater(() -> {
                     if (found == latest && marks.isSelected()) {

@@ -14,6 +14,7 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.function.Supplier;
 import javax.imageio.ImageIO;
+import javax.swing.JButton;
 import javax.swing.JComboBox;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -123,15 +124,40 @@ class CompareTest {
         OpenWindow.run(() -> window.frame.open(SceneSource.file(bright)));
         untilKept(3);
         window.screen.press(KeyEvent.VK_X);
-        BufferedImage magenta = new BufferedImage(WIDTH, HEIGHT, BufferedImage.TYPE_INT_RGB);
-        int[] all = new int[WIDTH * HEIGHT];
-        Arrays.fill(all, Clipped.ABOVE_COLOUR);
-        magenta.setRGB(0, 0, WIDTH, HEIGHT, all, 0, WIDTH);
-        window.untilShown("the marks", magenta);
+        window.untilShown("the marks", magenta());
         assertThat(window.status()).isEqualTo("10800 pixels above 1 (magenta), 0 below 0 (cyan), of 10800");
 
         window.screen.press(KeyEvent.VK_X);
         window.untilShown("the picture without them", TestScenes.rendered(bright, WIDTH, HEIGHT));
+    }
+
+    @Test
+    void clippedPixelsAreMarkedInBothPicturesThatAreCompared() {
+        Path bright = TestScenes.plain(folder.resolve("bright.scene"), 1.5, 0.5, 0.5);
+        OpenWindow.run(() -> window.frame.open(SceneSource.file(bright)));
+        untilKept(3);
+        Path dark = TestScenes.plain(folder.resolve("dark.scene"), 1, 0.5, 0.5);
+        OpenWindow.run(() -> window.frame.open(SceneSource.file(dark)));
+        untilKept(4);
+        window.screen.press(KeyEvent.VK_B);
+        untilShows("the bright picture", () -> view().leftPlace(), TestScenes.rendered(bright, WIDTH, HEIGHT));
+        window.screen.press(KeyEvent.VK_X);
+
+        untilShows("the marks", () -> view().leftPlace(), magenta());
+        untilShows("the picture without any", () -> view().rightPlace(), TestScenes.rendered(dark, WIDTH, HEIGHT));
+        JButton swap = OpenWindow.appears("the button", JButton.class, button -> "Swap".equals(button.getText()));
+        OpenWindow.run(swap::doClick);
+        untilShows("the marks on the other side", () -> view().rightPlace(), magenta());
+        window.screen.press(KeyEvent.VK_X);
+        untilShows("the bright picture without marks", () -> view().rightPlace(), TestScenes.rendered(bright, WIDTH, HEIGHT));
+    }
+
+    private static BufferedImage magenta() {
+        BufferedImage magenta = new BufferedImage(WIDTH, HEIGHT, BufferedImage.TYPE_INT_RGB);
+        int[] all = new int[WIDTH * HEIGHT];
+        Arrays.fill(all, Clipped.ABOVE_COLOUR);
+        magenta.setRGB(0, 0, WIDTH, HEIGHT, all, 0, WIDTH);
+        return magenta;
     }
 
     @Test

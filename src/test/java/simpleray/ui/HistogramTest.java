@@ -59,11 +59,9 @@ class HistogramTest {
         picture.setRow(1, new double[] {0.2, 0.2, 0.2, 0, 0, -1});
         Finished finished = new Finished(picture, SceneSource.NONE, OpenWindow.request(2, 2), 1.5, LocalTime.of(9, 5, 7));
 
-        BufferedImage plain = Clipped.image(finished.pixels(), 2, 2, false);
+        BufferedImage plain = Clipped.image(finished.pixels(), 2, 2);
         assertThat(levels(plain)).containsExactly(0x0080FF, 0xFF0000, 0x333333, 0x000000);
-        BufferedImage marked = Clipped.image(finished.pixels(), 2, 2, true);
-        assertThat(levels(marked)).containsExactly(0x0080FF, 0xFF00FF, 0x333333, 0x00FFFF);
-        BufferedImage marks = Clipped.marks(finished.pixels(), 2, 2);
+        BufferedImage marks = finished.marks();
         assertThat(marks.getRGB(0, 0, 2, 2, null, 0, 2)).containsExactly(0, Clipped.ABOVE_COLOUR, 0, Clipped.BELOW_COLOUR);
         assertThat(finished.histogram().pixels()).isEqualTo(4);
         assertThat(finished.histogram().above(0)).isEqualTo(1);
