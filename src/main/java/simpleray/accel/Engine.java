@@ -2,7 +2,6 @@ package simpleray.accel;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.concurrent.ForkJoinTask;
 import simpleray.math.Point;
 import simpleray.math.Vector;
 import simpleray.scene.DirectionalLight;
@@ -80,10 +79,13 @@ public final class Engine {
             Grid grid = many && kind != Kind.BVH ? Grid.of(boxes, kind == Kind.GRID) : null;
             structure = many && grid == null ? Bvh.build(boxes, pool) : grid;
             // from here on the order of the boxes stays, and all else can be made at once
-            ForkJoinTask<Grid> filling = grid == null ? null : pool.begin(() -> grid.fill());
+            Pool.Task<Grid> filling = grid == null ? null : pool.begin(() -> {
+                grid.fill();
+                return grid;
+            });
             boolean seen = lists && bounded.length >= TREE;
-            ForkJoinTask<DirectionBuffer> fromEye = seen ? pool.begin(() -> DirectionBuffer.of(boxes, eye)) : null;
-            List<ForkJoinTask<DirectionBuffer>> fromLights = new ArrayList<>();
+            Pool.Task<DirectionBuffer> fromEye = seen ? pool.begin(() -> DirectionBuffer.of(boxes, eye)) : null;
+            List<Pool.Task<DirectionBuffer>> fromLights = new ArrayList<>();
             for (int i = 0; seen && i < buffers; i++) {
                 fromLights.add(lights[i] instanceof PointLight light ? pool.begin(() -> DirectionBuffer.of(boxes, light.origin)) : null);
             }

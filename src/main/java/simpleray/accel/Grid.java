@@ -62,8 +62,8 @@ final class Grid implements Structure {
         }
     }
 
-    /** {@return this, with its lists} */
-    Grid fill() {
+    /** Makes the lists. */
+    void fill() {
         int n = boxes.count();
         starts = new int[count() + 1];
         for (int i = 0; i < n; i++) {
@@ -78,7 +78,6 @@ final class Grid implements Structure {
         for (int i = n - 1; i >= 0; i--) {
             visit(i, boxes.round[i]);
         }
-        return this;
     }
 
     private int count() {

@@ -1,28 +1,22 @@
 package simpleray.accel;
 
 import java.util.concurrent.CancellationException;
-import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ForkJoinPool;
-import java.util.concurrent.ForkJoinTask;
 import java.util.concurrent.RecursiveTask;
-import java.util.concurrent.TimeUnit;
-import java.util.concurrent.TimeoutException;
 
 /**
  * Threads that make a scene ready. <em>Mutable</em>: one thread has it.
  *
- * <p>What is thrown on one of them is kept here, and thrown by what waits. The library would make an object to keep it in; if it is memory
- * that has come to its end it could not, and its task would never end.
+ * <p>What is thrown on one of them is kept here, and thrown by what waits. The library makes objects to keep it in and to wait with; when
+ * memory has come to its end it cannot, and would wait for ever.
  */
 final class Pool implements AutoCloseable, Thread.UncaughtExceptionHandler {
     private static final int MOST_THREADS = 64;
     /** So many things are worth a task of their own. */
     private static final int TASK = 1 << 15;
-    /** So often, in milliseconds, is looked whether there still are threads. */
-    private static final int LOOK = 100;
 
     private final int most;
-    private volatile Throwable fault;                         // the first thing thrown, or of two at once one
+    private volatile Throwable fault;                         // what was thrown first
     private ForkJoinPool threads;                             // null until they are needed: most scenes are small
 
     Pool(int threads) {
@@ -36,10 +30,11 @@ final class Pool implements AutoCloseable, Thread.UncaughtExceptionHandler {
         return threads;
     }
 
-    private void note(Throwable thrown) {
+    private synchronized void note(Throwable thrown) {
         if (fault == null) {
             fault = thrown;
         }
+        notifyAll();
     }
 
     @Override
@@ -68,44 +63,40 @@ final class Pool implements AutoCloseable, Thread.UncaughtExceptionHandler {
 
     /** {@return what a task finds} */
     <T> T run(Task<T> task) {
-        return await(threads().submit(task));
+        threads().execute(task);
+        return await(task);
     }
 
     /** Begins to make something that is to be {@linkplain #await waited} for. */
-    <T> ForkJoinTask<T> begin(Making<T> making) {
-        return threads().submit(new Task<T>(this) {
+    <T> Task<T> begin(Making<T> making) {
+        Task<T> task = new Task<>(this) {
             private static final long serialVersionUID = 1L;
 
             @Override
             T find() {
                 return making.make();
             }
-        });
+        };
+        threads().execute(task);
+        return task;
     }
 
     /** {@return what a task found that was begun} What is thrown on any of the threads is thrown here. */
-    <T> T await(ForkJoinTask<T> task) {
+    <T> T await(Task<T> task) {
         boolean interrupted = false;
-        T found = null;
-        boolean done = false;
-        while (!done && fault == null) {
-            try {
-                found = task.get(LOOK, TimeUnit.MILLISECONDS);
-                done = true;
-            } catch (TimeoutException e) {
-                continue;
-            } catch (InterruptedException e) {                // the scene is made ready all the same
-                interrupted = true;
-            } catch (ExecutionException e) {
-                note(e.getCause());
-            } catch (CancellationException e) {
-                note(e);
+        synchronized (this) {
+            while (!task.ended && fault == null) {
+                try {
+                    wait();
+                } catch (InterruptedException e) {            // the scene is made ready all the same
+                    interrupted = true;
+                }
             }
         }
         if (interrupted) {
             Thread.currentThread().interrupt();
         }
-        if (fault instanceof CancellationException) {         // it had no memory to look for work, and what waited for it went with it
+        if (fault instanceof CancellationException) {         // a thread died, with tasks that others waited for, which may be noted first
             throw new OutOfMemoryError("a thread that makes the scene ready has ended");
         }
         if (fault instanceof Error error) {
@@ -114,7 +105,7 @@ final class Pool implements AutoCloseable, Thread.UncaughtExceptionHandler {
         if (fault instanceof RuntimeException exception) {
             throw exception;
         }
-        return found;
+        return task.found;
     }
 
     @Override
@@ -132,6 +123,8 @@ final class Pool implements AutoCloseable, Thread.UncaughtExceptionHandler {
     abstract static class Task<T> extends RecursiveTask<T> {
         private static final long serialVersionUID = 1L;
         final transient Pool pool;
+        private transient T found;
+        private transient boolean ended;
 
         Task(Pool pool) {
             this.pool = pool;
@@ -143,12 +136,18 @@ final class Pool implements AutoCloseable, Thread.UncaughtExceptionHandler {
         /** {@return what is found; null once something was thrown} */
         @Override
         protected final T compute() {
+            T result = null;
             try {
-                return pool.fault == null ? find() : null;
+                result = pool.fault == null ? find() : null;
             } catch (RuntimeException | Error e) {
                 pool.note(e);
-                return null;
             }
+            synchronized (pool) {
+                found = result;
+                ended = true;
+                pool.notifyAll();
+            }
+            return result;
         }
     }
 

@@ -226,13 +226,13 @@ final class Keeper implements RowSink, Closeable {
             return;
         }
         try {
-            begin(identity.get());                            // which takes its time, while others go on
+            beginCheckpoint(identity.get());                  // which takes its time, while others go on
         } catch (OutOfMemoryError e) {
             giveUp("there is no memory left for it");
         }
     }
 
-    private synchronized void begin(Map<String, String> picture) {
+    private synchronized void beginCheckpoint(Map<String, String> picture) {
         if (early == null) {                                  // the rendering has ended meanwhile
             return;
         }
@@ -267,8 +267,10 @@ final class Keeper implements RowSink, Closeable {
 
     /** The picture is worth more than what would be needed to go on with it: the rendering does not end for this. */
     private synchronized void giveUp(String reason) {
-        notes.say(path + ": rows are not kept any more: " + reason);
-        end();
+        if (early != null || checkpoint != null) {            // else the rendering has ended meanwhile
+            end();
+            notes.say(path + ": rows are not kept any more: " + reason);
+        }
     }
 
     private void giveUp(IOException e) {

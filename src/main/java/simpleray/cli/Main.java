@@ -96,7 +96,7 @@ public final class Main implements Runnable {
     }
 
     private int internal(Throwable e) {
-        if (e instanceof OutOfMemoryError || OutOfMemory.isBehind(e)) {   // for the first of which no class has to be loaded
+        if (e instanceof OutOfMemoryError || OutOfMemory.isBehind(e)) {   // the first question loads no class
             err.println("simpleray: " + OutOfMemory.MESSAGE);
             return ExitCode.NO_MEMORY;
         }

@@ -4,8 +4,6 @@ import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
-import java.util.concurrent.locks.Condition;
-import java.util.concurrent.locks.ReentrantLock;
 
 /**
  * Hands out a picture in passes: a pixel of each block of 8 × 8 first, then those that are missing of 4 × 4, 2 × 2 and all, so that the
@@ -15,8 +13,6 @@ import java.util.concurrent.locks.ReentrantLock;
 final class Passes {
     private static final int COARSEST = 8;
 
-    private final ReentrantLock lock = new ReentrantLock();
-    private final Condition changed = lock.newCondition();
     private final List<Pass> passes = new ArrayList<>();
     private final Deque<Part> cut = new ArrayDeque<>();       // the pieces of a row that are to be handed out next
     private int pass;
@@ -92,28 +88,33 @@ final class Passes {
     }
 
     /** {@return what is to be traced next; null if nothing is left} May wait until what it builds on is finished. */
-    Part next() {
-        lock.lock();
-        try {
-            while (!stopped && (!cut.isEmpty() || pass < passes.size())) {
-                if (!cut.isEmpty()) {
-                    open++;
-                    return cut.poll();
-                }
-                Pass current = passes.get(pass);
-                if (row == current.count()) {
-                    pass++;
-                    row = 0;
-                } else if (row == 0 && current.after && open > 0) {
-                    changed.awaitUninterruptibly();
-                } else {
-                    cut.addAll(current.parts(row++));
-                }
+    synchronized Part next() {
+        Part found = null;
+        boolean interrupted = false;
+        while (found == null && !stopped && (!cut.isEmpty() || pass < passes.size())) {
+            if (!cut.isEmpty()) {
+                open++;
+                found = cut.poll();
+                continue;
             }
-            return null;
-        } finally {
-            lock.unlock();
+            Pass current = passes.get(pass);
+            if (row == current.count()) {
+                pass++;
+                row = 0;
+            } else if (row == 0 && current.after && open > 0) {
+                try {
+                    wait();
+                } catch (InterruptedException e) {
+                    interrupted = true;
+                }
+            } else {
+                cut.addAll(current.parts(row++));
+            }
         }
+        if (interrupted) {
+            Thread.currentThread().interrupt();
+        }
+        return found;
     }
 
     /**
@@ -121,26 +122,16 @@ final class Passes {
      *
      * @return whether it was the last of the first pass
      */
-    boolean finished(Part part) {
-        lock.lock();
-        try {
-            if (--open == 0) {
-                changed.signalAll();
-            }
-            return part.size() == COARSEST && coarse > 0 && --coarse == 0;
-        } finally {
-            lock.unlock();
+    synchronized boolean finished(Part part) {
+        if (--open == 0) {
+            notifyAll();
         }
+        return part.size() == COARSEST && coarse > 0 && --coarse == 0;
     }
 
-    /** Hands out nothing more. */
-    void stop() {
-        lock.lock();
-        try {
-            stopped = true;
-            changed.signalAll();
-        } finally {
-            lock.unlock();
-        }
+    /** Hands out nothing more. It takes no memory, for there may be none left. */
+    synchronized void stop() {
+        stopped = true;
+        notifyAll();
     }
 }

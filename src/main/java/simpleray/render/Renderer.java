@@ -38,7 +38,7 @@ public final class Renderer {
     private final Region region;                              // the piece of what the camera sees that the picture has
     private final Picture picture;
     private final Rows rows;
-    private volatile Throwable fault;                         // what a thread threw; the first, or of two at once one
+    private volatile Throwable fault;                         // what a thread threw: the first; if two come at once, either
     private volatile boolean cancelled;
     private volatile Engine ready;                            // kept for who asks about pixels
     private volatile PassWork passes;                         // null unless it renders in passes
@@ -174,24 +174,24 @@ public final class Renderer {
             : prepared == null ? new Engine(scene, camera.eye(), settings.threads()) : prepared.engine(camera.eye(), settings.threads());
         ready = engine;
         long begin = System.nanoTime();
-        List<Thread> workers = new ArrayList<>();
+        List<Thread> workers = new ArrayList<>(threads());
         for (int i = 0; i < threads(); i++) {
-            Thread worker = new Thread(null, new Runnable() {
-                @Override
-                public void run() {
-                    Renderer.this.run(work, engine);
-                }
-            }, "simpleray-worker-" + (i + 1), STACK);
-            worker.setDaemon(true);
             try {
+                Thread worker = new Thread(null, new Runnable() {
+                    @Override
+                    public void run() {
+                        Renderer.this.run(work, engine);
+                    }
+                }, "simpleray-worker-" + (i + 1), STACK);
+                worker.setDaemon(true);
                 worker.start();
+                workers.add(worker);
             } catch (OutOfMemoryError e) {                    // the system grants no more threads: fewer do the same work
                 if (workers.isEmpty()) {
                     throw e;
                 }
                 break;
             }
-            workers.add(worker);
         }
         for (Thread worker : workers) {
             await(worker);

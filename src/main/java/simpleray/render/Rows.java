@@ -1,8 +1,6 @@
 package simpleray.render;
 
 import java.util.BitSet;
-import java.util.concurrent.locks.Condition;
-import java.util.concurrent.locks.ReentrantLock;
 
 /**
  * Hands out the rows of a picture from the top. No row is begun far below one that is not finished: what waits for that one, to be
@@ -14,8 +12,6 @@ final class Rows {
 
     private final int height;
     private final int ahead;
-    private final ReentrantLock lock = new ReentrantLock();
-    private final Condition changed = lock.newCondition();
     private final BitSet finished;
     private int firstUnfinished;
     private int next;
@@ -33,40 +29,33 @@ final class Rows {
     }
 
     /** {@return a row to be rendered; -1 if there is none left} May wait until rows far above are finished. */
-    int next() {
-        lock.lock();
-        try {
-            while (next < height && next - firstUnfinished >= ahead && !stopped) {
-                changed.awaitUninterruptibly();
+    synchronized int next() {
+        boolean interrupted = false;
+        while (next < height && next - firstUnfinished >= ahead && !stopped) {
+            try {
+                wait();
+            } catch (InterruptedException e) {
+                interrupted = true;
             }
-            return stopped || next == height ? -1 : next++;
-        } finally {
-            lock.unlock();
         }
+        if (interrupted) {
+            Thread.currentThread().interrupt();
+        }
+        return stopped || next == height ? -1 : next++;
     }
 
     /** Notes that a row is finished, and all that is done with it. */
-    void finished(int y) {
-        lock.lock();
-        try {
-            finished.set(y);
-            if (y == firstUnfinished) {
-                firstUnfinished = finished.nextClearBit(y);
-                changed.signalAll();
-            }
-        } finally {
-            lock.unlock();
+    synchronized void finished(int y) {
+        finished.set(y);
+        if (y == firstUnfinished) {
+            firstUnfinished = finished.nextClearBit(y);
+            notifyAll();
         }
     }
 
-    /** Hands out no more rows. */
-    void stop() {
-        lock.lock();
-        try {
-            stopped = true;
-            changed.signalAll();
-        } finally {
-            lock.unlock();
-        }
+    /** Hands out no more rows. It takes no memory, for there may be none left. */
+    synchronized void stop() {
+        stopped = true;
+        notifyAll();
     }
 }

@@ -15,7 +15,7 @@ import java.util.concurrent.TimeUnit;
  *
  * <p>What is longer than 64 KiB is digested by another thread meanwhile, so that a long file is read as fast as ever.
  */
-public final class SceneBytes extends InputStream {
+public class SceneBytes extends InputStream {
     private static final byte[] SIGNATURE = PngChunks.signature();
     private static final Piece END = new Piece(new byte[0], 0, true);
     private static final int AHEAD = 16;                      // pieces
@@ -33,7 +33,7 @@ public final class SceneBytes extends InputStream {
     private int headAt;
     private List<byte[]> pieces = new ArrayList<>();          // null if they are too long
     private long length;
-    private final Sha256 sum;
+    private final Sha256 sum = new Sha256();
     private final BlockingQueue<Piece> undigested = new ArrayBlockingQueue<>(AHEAD);
     private final BlockingQueue<byte[]> used = new ArrayBlockingQueue<>(AHEAD);   // to be used again, or a gigabyte would be allocated
     private Thread digester;                                  // null as long as the file is short
@@ -48,14 +48,8 @@ public final class SceneBytes extends InputStream {
      * @param longest so many bytes are kept at most, and none of a longer file
      */
     public SceneBytes(InputStream in, int longest) {
-        this(in, longest, new Sha256());
-    }
-
-    /** Begins to read, with a digest of no bytes. */
-    SceneBytes(InputStream in, int longest, Sha256 sum) {
         this.in = in;
         this.longest = longest;
-        this.sum = sum;
     }
 
     /**
@@ -138,7 +132,7 @@ public final class SceneBytes extends InputStream {
         try {
             while (!undigested.offer(piece, 1, TimeUnit.SECONDS)) {
                 if (!digester.isAlive()) {
-                    throw undigested();
+                    throw digestFault();
                 }
             }
         } catch (InterruptedException e) {
@@ -150,7 +144,7 @@ public final class SceneBytes extends InputStream {
     private void digest() {
         try {
             for (Piece piece = undigested.take(); piece != END; piece = undigested.take()) {
-                sum.update(piece.bytes, 0, piece.length);
+                digest(piece.bytes, piece.length);
                 if (!piece.kept) {
                     used.offer(piece.bytes);
                 }
@@ -162,8 +156,13 @@ public final class SceneBytes extends InputStream {
         }
     }
 
-    /** Throws what ended the digest. */
-    private IOException undigested() {
+    /** Takes some bytes into the digest. */
+    void digest(byte[] bytes, int count) {
+        sum.update(bytes, 0, count);
+    }
+
+    /** {@return what is to be thrown for a digest that ended} An error is thrown at once. */
+    private IOException digestFault() {
         if (fault instanceof Error error) {
             throw error;
         }
@@ -186,11 +185,11 @@ public final class SceneBytes extends InputStream {
                     throw interrupted();
                 }
                 if (fault != null) {
-                    throw undigested();
+                    throw digestFault();
                 }
             } else {
                 for (Piece piece : first) {
-                    sum.update(piece.bytes, 0, piece.length);
+                    digest(piece.bytes, piece.length);
                 }
             }
             hex = sum.hex();

@@ -5,7 +5,7 @@ package simpleray.text;
  *
  * <p>Java's own gives the same, but takes 50 ms to load, more than all that is done with a small scene before its first ray.
  */
-public class Sha256 {
+public final class Sha256 {
     private static final int BLOCK = 64;
     private static final int WORDS = 16;
     private static final int LENGTH_AT = BLOCK - Long.BYTES;

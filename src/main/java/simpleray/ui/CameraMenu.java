@@ -148,6 +148,9 @@ final class CameraMenu {
             String made = put;
             String why = failure;
             SwingUtilities.invokeLater(() -> {
+                if (!frame.isDisplayable()) {                 // closed meanwhile
+                    return;
+                }
                 if (why != null) {
                     tell(source.name() + '\n' + why);
                 } else if (picture.source() == source && text.equals(frame.scene().text())) {

@@ -96,11 +96,11 @@ final class ComparePane extends JPanel implements Scrollable {
 
     private void showChosen() {
         if (!listing && view != null) {
+            Finished one = (Finished) left.getSelectedItem();
+            Finished other = (Finished) right.getSelectedItem();
             view.setPictures(image(left), image(right));
-            Object one = left.getSelectedItem();
-            Object other = right.getSelectedItem();
             if (marked && one != null && other != null) {
-                looker.execute(() -> mark((Finished) one, (Finished) other));
+                looker.execute(() -> mark(one, other));
             }
         }
     }

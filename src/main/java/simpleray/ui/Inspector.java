@@ -49,7 +49,7 @@ final class Inspector {
         return thread;
     });
 
-    private boolean untold;                                   // whether a story was asked for that is not there yet
+    private Boolean untold;                                   // a story was asked for: whether to have the keys; null once it is there
     private Rendering shown;                                  // the one whose rows are on the screen
     private boolean ended;                                    // it had, when it was last looked at
     private Point hovered;
@@ -127,8 +127,8 @@ final class Inspector {
         }
         if (cursor != null) {
             setCursor(cursor);                                // the picture may have become smaller
-            if (isOpen() || untold) {
-                tell(false);
+            if (isOpen() || untold != null) {
+                tell(untold != null && untold);
             }
         }
     }
@@ -290,7 +290,7 @@ final class Inspector {
             return;
         }
         cancelTelling();
-        untold = true;
+        untold = focus;
         Rendering rendering = shown;
         Point pixel = cursor;
         telling = submit(() -> {
@@ -314,7 +314,7 @@ final class Inspector {
             return;                                           // closed or moved on
         }
         story = told;
-        untold = false;
+        untold = null;
         if (!isOpen()) {
             SwingUtilities.updateComponentTreeUI(pane.get());   // the look may have changed while it was in no window
             beside.setRightComponent(pane.get());
@@ -326,6 +326,7 @@ final class Inspector {
     }
 
     private void cancelTelling() {
+        untold = null;
         if (telling != null) {
             telling.cancel(true);
         }

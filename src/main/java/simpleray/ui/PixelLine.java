@@ -10,7 +10,7 @@ final class PixelLine {
     private PixelLine() {
     }
 
-    /** {@return a pixel's place and colour, as far as that is known; null if there is no such pixel} The picture may be null, as not begun. */
+    /** {@return a pixel's place and colour, as far as that is known; null if there is no such pixel} Of a picture not begun the light is null. */
     static String colours(Picture light, Point pixel) {
         if (light != null && (pixel.x >= light.width() || pixel.y >= light.height())) {
             return null;

@@ -3,8 +3,8 @@ package simpleray.accel;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.util.concurrent.CancellationException;
 import java.util.concurrent.CountDownLatch;
-import java.util.concurrent.ForkJoinTask;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicIntegerArray;
 import org.junit.jupiter.api.Test;
@@ -37,8 +37,8 @@ class PoolTest {
     @Test
     void whatIsBegunIsMadeWhileOneWaits() {
         try (Pool pool = new Pool(1)) {
-            ForkJoinTask<String> first = pool.begin(() -> "first");
-            ForkJoinTask<String> second = pool.begin(() -> "second");
+            Pool.Task<String> first = pool.begin(() -> "first");
+            Pool.Task<String> second = pool.begin(() -> "second");
 
             assertThat(pool.await(second)).isEqualTo("second");
             assertThat(pool.await(first)).isEqualTo("first");
@@ -69,7 +69,7 @@ class PoolTest {
                 thrown.countDown();
                 throw fault;
             });
-            ForkJoinTask<String> other = pool.begin(() -> "never waited for in vain");
+            Pool.Task<String> other = pool.begin(() -> "never waited for in vain");
 
             assertThatThrownBy(() -> {
                 thrown.await();
@@ -85,7 +85,7 @@ class PoolTest {
         OutOfMemoryError full = new OutOfMemoryError("made up");
 
         try (Pool pool = new Pool(2)) {
-            ForkJoinTask<Object> task = pool.begin(() -> {
+            Pool.Task<Object> task = pool.begin(() -> {
                 Thread.currentThread().getUncaughtExceptionHandler().uncaughtException(Thread.currentThread(), full);
                 return never();
             });
@@ -94,11 +94,13 @@ class PoolTest {
         }
     }
 
+    /** So the library tells those who wait for what a thread had taken when it died. */
     @Test
     void aTaskThatWentWithItsThreadIsAWantOfMemory() {
         try (Pool pool = new Pool(2)) {
-            ForkJoinTask<Object> task = pool.begin(PoolTest::never);
-            task.cancel(false);
+            Pool.Task<Object> task = pool.begin(() -> {
+                throw new CancellationException();
+            });
 
             assertThatThrownBy(() -> pool.await(task)).isInstanceOf(OutOfMemoryError.class)
                 .hasMessage("a thread that makes the scene ready has ended");

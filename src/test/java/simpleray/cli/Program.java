@@ -96,7 +96,7 @@ public final class Program {
         }
     }
 
-    /** Runs a task on a thread that it waits for no other on. */
+    /** Runs a task on a thread of its own; the common pool may be busy. */
     private static void onItsOwn(Runnable task) {
         Thread thread = new Thread(task, "reader of a program");
         thread.setDaemon(true);

@@ -94,10 +94,10 @@ class StoppedRenderTest {
 
     @Test
     void aShortRenderingKeepsNothingAndSaysSo() throws IOException, InterruptedException {
-        Process process = start(2000, "--progress", "plain");
+        Process process = start(3000, "--progress", "plain");
         assumeTrue(process.supportsNormalTermination(), "no signals here");
         try (BufferedReader err = process.errorReader()) {
-            assertThat(err.readLine()).startsWith(" 10 %, 200 of 2000 rows, ");
+            assertThat(err.readLine()).startsWith(" 10 %, 300 of 3000 rows, ");
 
             assertThat(stopped(process, err, "INT", ExitCode.INTERRUPTED))
                 .matches("simpleray: interrupted after \\d\\.\\d s, and nothing is kept: --checkpoint FILE keeps rows from the start\n");

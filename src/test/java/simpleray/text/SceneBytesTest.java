@@ -162,12 +162,12 @@ class SceneBytesTest {
     @ValueSource(ints = {LONG, 3_000_000})
     void whatEndsTheThreadThatDigestsIsThrownWhereItIsReadOrAskedFor(int length) throws IOException {
         OutOfMemoryError full = new OutOfMemoryError("made up");
-        SceneBytes in = new SceneBytes(new ByteArrayInputStream(new byte[length]), 0, new Sha256() {
+        SceneBytes in = new SceneBytes(new ByteArrayInputStream(new byte[length]), 0) {
             @Override
-            public void update(byte[] bytes, int from, int count) {
+            void digest(byte[] bytes, int count) {
                 throw full;
             }
-        });
+        };
 
         assertThatThrownBy(() -> {
             in.readAllBytes();
@@ -179,12 +179,12 @@ class SceneBytesTest {
     @Test
     void aFaultOfTheDigestIsAFileThatCannotBeRead() throws IOException {
         IllegalStateException fault = new IllegalStateException("made up");
-        SceneBytes in = new SceneBytes(new ByteArrayInputStream(new byte[LONG]), 0, new Sha256() {
+        SceneBytes in = new SceneBytes(new ByteArrayInputStream(new byte[LONG]), 0) {
             @Override
-            public void update(byte[] bytes, int from, int count) {
+            void digest(byte[] bytes, int count) {
                 throw fault;
             }
-        });
+        };
         in.readAllBytes();
 
         assertThatThrownBy(in::sha256).isInstanceOf(IOException.class).hasMessage("the digest cannot be computed").hasCause(fault);

@@ -32,19 +32,8 @@ class EventThreadTest {
         }
     }
 
-    /**
-     * {@return the longest time in seconds between two of that many ticks, which come every 5 ms to an event thread that is free} The least
-     * of three such times: the machine may stand still for once, but a thread that is blocked is silent in all three.
-     */
+    /** {@return the longest time in seconds between two of that many ticks, which come every 5 ms to an event thread that is free} */
     private static double longestSilence(int ticks) {
-        double least = Double.POSITIVE_INFINITY;
-        for (int i = 0; i < 3 && least >= MOST; i++) {
-            least = Math.min(least, longestOnce(ticks));
-        }
-        return least;
-    }
-
-    private static double longestOnce(int ticks) {
         CountDownLatch left = new CountDownLatch(ticks);
         AtomicLong longest = new AtomicLong();
         AtomicLong last = new AtomicLong(System.nanoTime());

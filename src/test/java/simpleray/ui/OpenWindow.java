@@ -44,7 +44,7 @@ final class OpenWindow implements AutoCloseable {
 
     /** Does something with the window, shows it, and waits until it has the keys. */
     OpenWindow(SceneSource source, int width, int height, Consumer<ViewerFrame> first) {
-        Thread.setDefaultUncaughtExceptionHandler((thread, thrown) -> {
+        Thread.setDefaultUncaughtExceptionHandler((thread, thrown) -> {      // of one window at a time
             thrown.printStackTrace();
             if (Arrays.stream(thrown.getStackTrace()).map(StackTraceElement::getClassName)
                 .takeWhile(name -> !name.equals("java.awt.EventDispatchThread")).anyMatch(name -> name.startsWith("simpleray."))) {
