@@ -14,9 +14,13 @@ final class Pool implements AutoCloseable, Thread.UncaughtExceptionHandler {
     private static final int MOST_THREADS = 64;
     /** So many things are worth a task of their own. */
     private static final int TASK = 1 << 15;
+    /** So many milliseconds are tasks waited for whose outcome nobody wants any more. */
+    private static final int PATIENCE = 2000;
 
     private final int most;
-    private volatile Throwable fault;                         // what was thrown first
+    private Throwable fault;                                  // what was thrown first
+    private int running;                                      // tasks
+    private boolean closed;
     private ForkJoinPool threads;                             // null until they are needed: most scenes are small
 
     Pool(int threads) {
@@ -30,16 +34,16 @@ final class Pool implements AutoCloseable, Thread.UncaughtExceptionHandler {
         return threads;
     }
 
+    @Override
+    public void uncaughtException(Thread thread, Throwable thrown) {
+        note(thrown);
+    }
+
     private synchronized void note(Throwable thrown) {
         if (fault == null) {
             fault = thrown;
         }
         notifyAll();
-    }
-
-    @Override
-    public void uncaughtException(Thread thread, Throwable thrown) {
-        note(thrown);
     }
 
     /** What is done with the things from one number to before another. */
@@ -84,6 +88,7 @@ final class Pool implements AutoCloseable, Thread.UncaughtExceptionHandler {
     /** {@return what a task found that was begun} What is thrown on any of the threads is thrown here. */
     <T> T await(Task<T> task) {
         boolean interrupted = false;
+        Throwable thrown;
         synchronized (this) {
             while (!task.ended && fault == null) {
                 try {
@@ -92,31 +97,63 @@ final class Pool implements AutoCloseable, Thread.UncaughtExceptionHandler {
                     interrupted = true;
                 }
             }
+            thrown = fault;
         }
         if (interrupted) {
             Thread.currentThread().interrupt();
         }
-        if (fault instanceof CancellationException) {         // a thread died, with tasks that others waited for, which may be noted first
+        if (thrown instanceof CancellationException) {        // a thread died, with tasks that others waited for, which may be noted first
             throw new OutOfMemoryError("a thread that makes the scene ready has ended");
         }
-        if (fault instanceof Error error) {
+        if (thrown instanceof Error error) {
             throw error;
         }
-        if (fault instanceof RuntimeException exception) {
+        if (thrown instanceof RuntimeException exception) {
             throw exception;
         }
         return task.found;
     }
 
+    /** Ends the threads. If that is because of a fault, they may have to give back memory first. */
     @Override
     public void close() {
-        if (threads != null) {
-            try {
-                threads.shutdownNow();                        // nobody waits for what is not done
-            } catch (OutOfMemoryError e) {                    // they end by themselves when there is nothing to do
-                note(e);
+        if (threads == null) {
+            return;
+        }
+        try {
+            threads.shutdownNow();                            // nobody waits for what is not done
+        } catch (OutOfMemoryError e) {                        // they end by themselves when there is nothing to do
+            note(e);
+        }
+        boolean interrupted = false;
+        long end = System.nanoTime() + PATIENCE * 1_000_000L;
+        synchronized (this) {
+            closed = true;
+            for (long left = PATIENCE; running > 0 && left > 0; left = (end - System.nanoTime()) / 1_000_000) {
+                try {
+                    wait(left);
+                } catch (InterruptedException e) {
+                    interrupted = true;
+                }
             }
         }
+        if (interrupted) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    /** {@return whether a task is still wanted} */
+    private synchronized boolean begins() {
+        boolean wanted = fault == null && !closed;
+        running += wanted ? 1 : 0;
+        return wanted;
+    }
+
+    private synchronized <T> void ends(Task<T> task, T found) {
+        task.found = found;
+        task.ended = true;
+        running--;
+        notifyAll();
     }
 
     /** Finds something, on one of the threads. */
@@ -136,17 +173,16 @@ final class Pool implements AutoCloseable, Thread.UncaughtExceptionHandler {
         /** {@return what is found; null once something was thrown} */
         @Override
         protected final T compute() {
+            if (!pool.begins()) {
+                return null;
+            }
             T result = null;
             try {
-                result = pool.fault == null ? find() : null;
+                result = find();
             } catch (RuntimeException | Error e) {
                 pool.note(e);
             }
-            synchronized (pool) {
-                found = result;
-                ended = true;
-                pool.notifyAll();
-            }
+            pool.ends(this, result);
             return result;
         }
     }

@@ -6,7 +6,9 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicIntegerArray;
+import java.util.concurrent.locks.LockSupport;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -105,6 +107,32 @@ class PoolTest {
             assertThatThrownBy(() -> pool.await(task)).isInstanceOf(OutOfMemoryError.class)
                 .hasMessage("a thread that makes the scene ready has ended");
         }
+    }
+
+    /** Lest the memory be still short when the end of it is to be told. */
+    @Test
+    void closingWaitsForWhatIsStillAtWork() {
+        AtomicBoolean ended = new AtomicBoolean();
+        CountDownLatch atWork = new CountDownLatch(1);
+
+        try (Pool pool = new Pool(2)) {
+            pool.begin(() -> {
+                atWork.countDown();
+                never();                                      // until the threads are told to end
+                LockSupport.parkNanos(TimeUnit.MILLISECONDS.toNanos(50));
+                ended.set(true);
+                return null;
+            });
+            assertThatThrownBy(() -> {
+                atWork.await();
+                pool.await(pool.begin(() -> {
+                    throw new OutOfMemoryError("made up");
+                }));
+            }).isInstanceOf(OutOfMemoryError.class);
+            assertThat(ended).isFalse();
+        }
+
+        assertThat(ended).isTrue();
     }
 
     @Test
