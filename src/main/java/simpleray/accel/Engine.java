@@ -76,7 +76,7 @@ public final class Engine {
         int buffers = lists ? Math.min(BUFFERS, lights.length) : 0;
         try (Pool pool = new Pool(threads)) {
             boxes = bounded.length == 0 ? null : new Boxes(all, bounded, pool);
-            Grid grid = many && kind != Kind.BVH ? Grid.of(boxes, kind == Kind.GRID) : null;
+            Grid grid = many && kind != Kind.BVH ? Grid.of(boxes, kind == Kind.GRID, pool) : null;
             structure = many && grid == null ? Bvh.build(boxes, pool) : grid;
             // from here on the order of the boxes stays, and all else can be made at once
             Pool.Task<Grid> filling = grid == null ? null : pool.begin(() -> {

@@ -1,6 +1,7 @@
 package simpleray.accel;
 
 import java.util.Arrays;
+import java.util.concurrent.atomic.AtomicLong;
 
 /**
  * Cells of one size, each with a list of the objects in it (Fujimoto, Tanaka and Iwata, "ARTS: Accelerated Ray-Tracing System", 1986): the
@@ -37,10 +38,10 @@ final class Grid implements Structure {
     }
 
     /** {@return a grid of the boxes, which are brought into an order in which neighbours are near; null if a grid is of no use} */
-    static Grid of(Boxes boxes, boolean anyway) {
+    static Grid of(Boxes boxes, boolean anyway, Pool pool) {
         Grid grid = new Grid(boxes);
         grid.lay();
-        return grid.sort(anyway) ? grid : null;
+        return grid.sort(anyway, pool) ? grid : null;
     }
 
     @Override
@@ -85,27 +86,26 @@ final class Grid implements Structure {
     }
 
     /** Brings the boxes into the order of the cells in which their middles are; or does not, and returns false, if a grid is of no use. */
-    private boolean sort(boolean anyway) {
+    private boolean sort(boolean anyway, Pool pool) {
         int n = boxes.count();
         int[] cell = new int[n];
-        int[] ends = new int[count() + 1];
-        long listed = 0;
-        for (int i = 0; i < n; i++) {
-            long covered = 1;
-            for (int axis = 2; axis >= 0; axis--) {
-                int at = Boxes.SIDES * i + axis;
-                cell[i] = cell[i] * cells[axis] + cell(axis, (boxes.sides[at] + boxes.sides[at + 3]) / 2);
-                covered *= cell(axis, boxes.sides[at + 3]) - cell(axis, boxes.sides[at]) + 1;
+        AtomicLong listed = new AtomicLong();
+        pool.ranges(n, new Pool.Work() {
+            @Override
+            public void on(int from, int to) {
+                listed.addAndGet(find(cell, from, to));
             }
+        });
+        int[] ends = new int[count() + 1];
+        for (int i = 0; i < n; i++) {
             ends[cell[i] + 1]++;
-            listed += covered;
         }
         double crowd = 0;
         for (int i = 1; i < ends.length; i++) {
             crowd += (double) ends[i] * ends[i];
             ends[i] += ends[i - 1];
         }
-        if (!anyway && (listed > LISTED_AN_OBJECT * n + LISTED_ANYWAY || crowd > MOST_IN_CELL * n)) {
+        if (!anyway && (listed.get() > LISTED_AN_OBJECT * n + LISTED_ANYWAY || crowd > MOST_IN_CELL * n)) {
             return false;
         }
         int[] order = new int[n];
@@ -114,6 +114,21 @@ final class Grid implements Structure {
         }
         boxes.reorder(order);
         return true;
+    }
+
+    /** Finds the cells in which the middles of some boxes are. {@return how often these would be listed} */
+    private long find(int[] cell, int from, int to) {
+        long listed = 0;
+        for (int i = from; i < to; i++) {
+            long covered = 1;
+            for (int axis = 2; axis >= 0; axis--) {
+                int at = Boxes.SIDES * i + axis;
+                cell[i] = cell[i] * cells[axis] + cell(axis, (boxes.sides[at] + boxes.sides[at + 3]) / 2);
+                covered *= cell(axis, boxes.sides[at + 3]) - cell(axis, boxes.sides[at]) + 1;
+            }
+            listed += covered;
+        }
+        return listed;
     }
 
     /** {@return in which column, row or layer something is} */

@@ -71,8 +71,10 @@ final class Primitives {
         planes = new double[4 * (afterPlanes - bounded)];
         unitNormals = new Vector[afterPlanes - bounded];
         boolean allOpaque = true;
-        for (int i = 0; i < count; i++) {
-            Object object = all[order[i]];
+        int[] ranks = ranks(order);
+        for (int place = 0; place < count; place++) {         // of the scene: so they lie in memory
+            int i = ranks[place];
+            Object object = all[place];
             objects[i] = object;
             materials[i] = object.surfaceMaterial;
             allOpaque &= materials[i].transmission.isBlack();
@@ -84,6 +86,15 @@ final class Primitives {
             }
         }
         opaque = allOpaque;
+    }
+
+    /** {@return where each place is in an order of them} */
+    private static int[] ranks(int[] order) {
+        int[] ranks = new int[order.length];
+        for (int i = 0; i < order.length; i++) {
+            ranks[order[i]] = i;
+        }
+        return ranks;
     }
 
     private static void set(double[] numbers, int i, double a, double b, double c, double d) {
