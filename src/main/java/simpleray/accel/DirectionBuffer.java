@@ -19,6 +19,8 @@ final class DirectionBuffer {
     private static final double CELLS_AN_OBJECT = 1;
     private static final long LISTED_AN_OBJECT = 10;
     private static final long LISTED_ANYWAY = 1 << 18;
+    /** Longer lists are no faster than a grid: they lie in no cache. */
+    private static final long MOST_LISTED = 1 << 22;
 
     /** Where the list of each cell begins in {@link #places}, and at last where the last one ends. */
     final int[] starts;
@@ -57,7 +59,7 @@ final class DirectionBuffer {
         int side = (int) Math.max(LEAST_SIDE, Math.min(MOST_SIDE, Math.sqrt(CELLS_AN_OBJECT * n / Cube.FACES)));
         Cube cube = new Cube(side);
         int[] rectangle = new int[4];
-        long most = LISTED_AN_OBJECT * n + LISTED_ANYWAY;
+        long most = Math.min(LISTED_AN_OBJECT * n + LISTED_ANYWAY, MOST_LISTED);
         long listed = 0;
         for (int i = 0; n >= MANY && i < n; i += SAMPLE) {    // so that it is known soon if they would be too long
             seen(boxes, i, px, py, pz, box);
