@@ -37,7 +37,7 @@ public class SceneBytes extends InputStream {
     private final BlockingQueue<Piece> undigested = new ArrayBlockingQueue<>(AHEAD);
     private final BlockingQueue<byte[]> used = new ArrayBlockingQueue<>(AHEAD);   // to be used again, or a gigabyte would be allocated
     private Thread digester;                                  // null as long as the file is short
-    private volatile Throwable fault;                         // what ended it
+    private Throwable fault;                                  // what ended it; to be looked at once it has ended
     private List<Piece> first = new ArrayList<>();           // what was read until then
     private String hex;
 
