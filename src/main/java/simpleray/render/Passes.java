@@ -10,7 +10,7 @@ import java.util.List;
  * whole is seen early and no pixel is traced twice. One region may come before the rest, or alone. Where pixels are sampled by what
  * their neighbours are, previews of all come first. <em>Mutable</em>; any thread may call.
  */
-final class Passes {
+final class Passes extends Hold {
     private static final int COARSEST = 8;
 
     private final List<Pass> passes = new ArrayList<>();
@@ -89,32 +89,27 @@ final class Passes {
 
     /** {@return what is to be traced next; null if nothing is left} May wait until what it builds on is finished. */
     synchronized Part next() {
-        Part found = null;
-        boolean interrupted = false;
-        while (found == null && !stopped && (!cut.isEmpty() || pass < passes.size())) {
+        while (!stopped && (!cut.isEmpty() || pass < passes.size())) {
             if (!cut.isEmpty()) {
                 open++;
-                found = cut.poll();
-                continue;
+                return cut.poll();
             }
             Pass current = passes.get(pass);
             if (row == current.count()) {
                 pass++;
                 row = 0;
-            } else if (row == 0 && current.after && open > 0) {
-                try {
-                    wait();
-                } catch (InterruptedException e) {
-                    interrupted = true;
-                }
+            } else if (holds()) {
+                untilFree();
             } else {
                 cut.addAll(current.parts(row++));
             }
         }
-        if (interrupted) {
-            Thread.currentThread().interrupt();
-        }
-        return found;
+        return null;
+    }
+
+    @Override
+    synchronized boolean holds() {
+        return !stopped && cut.isEmpty() && pass < passes.size() && row == 0 && passes.get(pass).after() && open > 0;
     }
 
     /**
@@ -129,7 +124,7 @@ final class Passes {
         return part.size() == COARSEST && coarse > 0 && --coarse == 0;
     }
 
-    /** Hands out nothing more. It takes no memory, for there may be none left. */
+    /** Hands out nothing more. */
     synchronized void stop() {
         stopped = true;
         notifyAll();

@@ -1,7 +1,7 @@
 package simpleray.render;
 
 /** A gate for threads at work, which may be shut for a while. <em>Mutable</em>; any thread may call. */
-final class Pause {
+final class Pause extends Hold {
     private volatile boolean on;
 
     /** {@return whether it is shut} */
@@ -14,23 +14,15 @@ final class Pause {
         notifyAll();
     }
 
+    @Override
+    boolean holds() {
+        return on;
+    }
+
     /** Waits while it is shut; an interrupt is kept for later. */
     void await() {
-        if (!on) {
-            return;
-        }
-        boolean interrupted = false;
-        synchronized (this) {
-            while (on) {
-                try {
-                    wait();
-                } catch (InterruptedException e) {
-                    interrupted = true;
-                }
-            }
-        }
-        if (interrupted) {
-            Thread.currentThread().interrupt();
+        if (on) {
+            untilFree();
         }
     }
 }

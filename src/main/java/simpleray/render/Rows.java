@@ -6,7 +6,7 @@ import java.util.BitSet;
  * Hands out the rows of a picture from the top. No row is begun far below one that is not finished: what waits for that one, to be
  * written in order, stays little. <em>Mutable</em>; any thread may call.
  */
-final class Rows {
+final class Rows extends Hold {
     private static final int MOST_AHEAD = 256;
     private static final int MOST_AHEAD_A_THREAD = 4;
 
@@ -30,18 +30,13 @@ final class Rows {
 
     /** {@return a row to be rendered; -1 if there is none left} May wait until rows far above are finished. */
     synchronized int next() {
-        boolean interrupted = false;
-        while (next < height && next - firstUnfinished >= ahead && !stopped) {
-            try {
-                wait();
-            } catch (InterruptedException e) {
-                interrupted = true;
-            }
-        }
-        if (interrupted) {
-            Thread.currentThread().interrupt();
-        }
+        untilFree();
         return stopped || next == height ? -1 : next++;
+    }
+
+    @Override
+    synchronized boolean holds() {
+        return next < height && next - firstUnfinished >= ahead && !stopped;
     }
 
     /** Notes that a row is finished, and all that is done with it. */
@@ -53,7 +48,7 @@ final class Rows {
         }
     }
 
-    /** Hands out no more rows. It takes no memory, for there may be none left. */
+    /** Hands out no more rows. */
     synchronized void stop() {
         stopped = true;
         notifyAll();

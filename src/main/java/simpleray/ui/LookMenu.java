@@ -70,10 +70,10 @@ final class LookMenu {
 
     /** Asks the desktop, where it must be asked, on a thread of its own. */
     private void show() {
-        if (look == Look.SYSTEM && asking != null && asking.isAlive()) {
-            return;                                           // its answer will do
-        }
         if (look == Look.SYSTEM) {
+            if (asking != null && asking.isAlive()) {
+                return;                                       // its answer will do
+            }
             asking = new Thread(() -> {
                 boolean dark = Look.SYSTEM.isDark();
                 SwingUtilities.invokeLater(() -> {

@@ -93,15 +93,7 @@ class InspectorTest {
     void aQuestionBetweenTwoRenderingsIsAnsweredByTheSecond() throws Exception {
         AtomicBoolean held = new AtomicBoolean();
         CountDownLatch open = new CountDownLatch(1);
-        SceneSource source = TestScenes.watched(TestScenes.THESIS, ray -> {
-            if (held.get()) {
-                try {
-                    open.await();
-                } catch (InterruptedException e) {
-                    Thread.currentThread().interrupt();
-                }
-            }
-        });
+        SceneSource source = held(held, new CountDownLatch(1), open);
         try (OpenWindow window = new OpenWindow(source, WIDTH, HEIGHT)) {
             window.untilState(Rendering.State.FINISHED);
             Rendering first = window.rendering();
@@ -206,16 +198,7 @@ class InspectorTest {
         AtomicBoolean held = new AtomicBoolean();
         CountDownLatch asked = new CountDownLatch(1);
         CountDownLatch never = new CountDownLatch(1);
-        SceneSource source = TestScenes.watched(TestScenes.THESIS, ray -> {
-            if (held.get()) {
-                asked.countDown();
-                try {
-                    never.await();
-                } catch (InterruptedException e) {
-                    Thread.currentThread().interrupt();
-                }
-            }
-        });
+        SceneSource source = held(held, asked, never);
         try (OpenWindow window = new OpenWindow(source, WIDTH, HEIGHT)) {
             window.untilState(Rendering.State.FINISHED);
             held.set(true);
@@ -226,6 +209,20 @@ class InspectorTest {
             assertThat(OpenWindow.threads()).contains("simpleray-inspector");
         }
         assertThat(OpenWindow.threads()).isEmpty();
+    }
+
+    /** {@return the thesis's scene, whose rays are held if that is wanted: each tells so, and waits until it may go on} */
+    private static SceneSource held(AtomicBoolean wanted, CountDownLatch asked, CountDownLatch open) {
+        return TestScenes.watched(TestScenes.THESIS, ray -> {
+            if (wanted.get()) {
+                asked.countDown();
+                try {
+                    open.await();
+                } catch (InterruptedException e) {
+                    Thread.currentThread().interrupt();
+                }
+            }
+        });
     }
 
     private static OpenWindow finished() {
