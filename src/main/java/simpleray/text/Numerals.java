@@ -1,10 +1,11 @@
 package simpleray.text;
 
 /**
- * Reads numbers as they mostly are, from the bytes in a {@link Window} and without making anything of them in between.
- * <em>Mutable,</em> for one thread.
+ * Reads numbers as they mostly are from the bytes of a text, without making anything of them in between. <em>Mutable,</em> for one thread.
+ *
+ * <p>A number is known to end at a blank or a comment. Behind the last byte of the text stands one that is in no number, a 0 for instance.
  */
-final class Numerals {
+public final class Numerals {
     /** What {@link #readInteger} returns when there is none that it knows. */
     static final long NO_INTEGER = Long.MIN_VALUE;
 
@@ -12,23 +13,26 @@ final class Numerals {
     private static final int UNSIGNED_LONG_DIGITS = 19;
     private static final int MOST_EXPONENT = 9999;
 
-    private final Window window;
     private int end;
 
-    /** Creates a reader of the numbers in a window. */
-    Numerals(Window window) {
-        this.window = window;
+    /** Creates a reader of numbers. */
+    public Numerals() {
     }
 
     /** {@return the index behind the number just read} */
-    int end() {
+    public int end() {
         return end;
     }
 
-    /** {@return the double that stands next in the window; NaN if it is for {@link Numbers#parseDouble} to say what stands there} */
-    double readDouble() {
-        byte[] bytes = window.bytes;                          // behind them is a 0, and no number goes on
-        int begin = window.at;
+    /**
+     * Reads a double.
+     *
+     * @param bytes the text
+     * @param at where the number begins
+     * @return the number, the nearest double; NaN if it is for {@link Numbers#parseDouble} to say what stands there
+     */
+    public double readDouble(byte[] bytes, int at) {
+        int begin = at;
         boolean negative = bytes[begin] == '-';
         if (negative) {
             begin++;
@@ -49,22 +53,21 @@ final class Numerals {
             count -= power;
         }
         end = i;
-        double magnitude = count > 0 && count <= UNSIGNED_LONG_DIGITS && isWhole() ? Decimal.toDouble(digits, power)
-            : unusual(begin, digits, count, power);
+        double magnitude = count > 0 && count <= UNSIGNED_LONG_DIGITS && isWhole(bytes) ? Decimal.toDouble(digits, power)
+            : unusual(bytes, begin, digits, count, power);
         return negative ? -magnitude : magnitude;
     }
 
     /** Goes on behind the digits: there is an exponent, or there are many zeros before the others; NaN if it is none of that. */
-    private double unusual(int begin, long digits, int count, int power) {
-        int significant = count > UNSIGNED_LONG_DIGITS ? count - zeros(begin, end) : count;
-        boolean exponent = count > 0 && (window.bytes[end] == 'e' || window.bytes[end] == 'E');
-        int sum = exponent ? power + readExponent(end + 1) : power;
-        return count > 0 && significant <= UNSIGNED_LONG_DIGITS && isWhole() ? Decimal.toDouble(digits, sum) : Double.NaN;
+    private double unusual(byte[] bytes, int begin, long digits, int count, int power) {
+        int significant = count > UNSIGNED_LONG_DIGITS ? count - zeros(bytes, begin, end) : count;
+        boolean exponent = count > 0 && (bytes[end] == 'e' || bytes[end] == 'E');
+        int sum = exponent ? power + readExponent(bytes, end + 1) : power;
+        return count > 0 && significant <= UNSIGNED_LONG_DIGITS && isWhole(bytes) ? Decimal.toDouble(digits, sum) : Double.NaN;
     }
 
     /** Moves the end behind an exponent's digits; if there are none, or too many, it stays where no number ends. */
-    private int readExponent(int from) {
-        byte[] bytes = window.bytes;
+    private int readExponent(byte[] bytes, int from) {
         int i = from;
         boolean negative = bytes[i] == '-';
         if (negative || bytes[i] == '+') {
@@ -80,18 +83,17 @@ final class Numerals {
     }
 
     /** {@return how many zeros a number begins with} */
-    private int zeros(int begin, int until) {
+    private static int zeros(byte[] bytes, int begin, int until) {
         int zeros = 0;
-        for (int i = begin; i < until && (window.bytes[i] == '0' || window.bytes[i] == '.'); i++) {
-            zeros += window.bytes[i] == '0' ? 1 : 0;
+        for (int i = begin; i < until && (bytes[i] == '0' || bytes[i] == '.'); i++) {
+            zeros += bytes[i] == '0' ? 1 : 0;
         }
         return zeros;
     }
 
-    /** {@return the integer of up to 18 digits that stands next in the window; {@link #NO_INTEGER} if there is none} */
-    long readInteger() {
-        byte[] bytes = window.bytes;
-        int begin = window.at;
+    /** {@return the integer of up to 18 digits that begins there; {@link #NO_INTEGER} if there is none} */
+    long readInteger(byte[] bytes, int at) {
+        int begin = at;
         boolean negative = bytes[begin] == '-';
         if (negative) {
             begin++;
@@ -102,7 +104,7 @@ final class Numerals {
             value = 10 * value + bytes[i++] - '0';
         }
         end = i;
-        if (i == begin || i - begin > LONG_DIGITS || !isWhole()) {
+        if (i == begin || i - begin > LONG_DIGITS || !isWhole(bytes)) {
             return NO_INTEGER;
         }
         return negative ? -value : value;
@@ -113,7 +115,7 @@ final class Numerals {
     }
 
     /** {@return whether the word is known to end here} */
-    private boolean isWhole() {
-        return Window.isBlank(window.bytes[end]) || window.bytes[end] == Words.COMMENT;
+    private boolean isWhole(byte[] bytes) {
+        return Window.isBlank(bytes[end]) || bytes[end] == Words.COMMENT;
     }
 }

@@ -25,7 +25,7 @@ final class Words {
     private final Mark group = new Mark();                    // the first word taken since the group began
     private final Mark here = new Mark();
     private final Window window;
-    private final Numerals numerals;
+    private final Numerals numerals = new Numerals();
     private boolean begun;
     private boolean grouped;
     private boolean first;           // the last word is the first on its line
@@ -42,7 +42,6 @@ final class Words {
         this.in = in;
         this.problems = problems;
         window = new Window(in, size, last, group, here);
-        numerals = new Numerals(window);
     }
 
     /**
@@ -135,7 +134,7 @@ final class Words {
     /** Takes the next number if it is one of the usual form, and there are none but the usual blanks before it; else returns NaN. */
     double takeDouble() throws IOException {
         window.toNumber();                                    // or to what the next line says is none
-        double value = numerals.readDouble();
+        double value = numerals.readDouble(window.bytes, window.at);
         if (!Double.isNaN(value)) {
             mark();
             taken(numerals.end());
@@ -146,7 +145,7 @@ final class Words {
     /** Takes the next integer likewise, one of up to 18 digits; else returns {@link Numerals#NO_INTEGER}. */
     long takeInteger() throws IOException {
         window.toNumber();
-        long value = numerals.readInteger();
+        long value = numerals.readInteger(window.bytes, window.at);
         if (value != Numerals.NO_INTEGER) {
             mark();
             taken(numerals.end());

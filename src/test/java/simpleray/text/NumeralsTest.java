@@ -2,8 +2,6 @@ package simpleray.text;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.io.ByteArrayInputStream;
-import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -12,10 +10,11 @@ import org.junit.jupiter.params.provider.ValueSource;
 class NumeralsTest {
     private static final String[] BEHIND = {" ", "\n", "\r\n", "\t", "#", " 12"};
 
-    private static Window window(String text) throws IOException {
-        Window window = new Window(new ByteArrayInputStream(text.getBytes(StandardCharsets.UTF_8)), 4096);
-        window.begin();
-        return window;
+    private final Numerals numerals = new Numerals();
+
+    /** {@return a text as bytes, with a 0 behind them} */
+    private static byte[] bytes(String text) {
+        return (text + '\0').getBytes(StandardCharsets.UTF_8);
     }
 
     @ParameterizedTest
@@ -24,11 +23,9 @@ class NumeralsTest {
         ".5e1", "5.e1", "1e0", "9e09", "1e-64",
         "0000000000000000000000125", "000000000000000000012.5", "0.0000000000000000000125", "00000000000000000000.5e2", "0e9", "0e9999",
         "0.00000000000000000000000000000000"})
-    void aUsualDecimalIsTheDoubleThatJavaFinds(String word) throws IOException {
+    void aUsualDecimalIsTheDoubleThatJavaFinds(String word) {
         for (String behind : BEHIND) {
-            Numerals numerals = new Numerals(window(word + behind));
-
-            assertThat(numerals.readDouble()).as("before '" + behind + "'").isEqualTo(Double.parseDouble(word));
+            assertThat(numerals.readDouble(bytes(word + behind), 0)).as("before '" + behind + "'").isEqualTo(Double.parseDouble(word));
             assertThat(numerals.end()).as("before '" + behind + "'").isEqualTo(word.length());
         }
     }
@@ -37,31 +34,29 @@ class NumeralsTest {
     @ValueSource(strings = {"", "-", ".", "-.", "+1", "--1", "1x", "1.5x", "1.2.3", "1,5", "e5", ".e5", "1e", "1e+", "1e-", "1e+-1",
         "1e5x", "1e5.", "1e5e5", "12345678901234567890", "1.2345678901234567891", "10000000000000000000.5", "1e400", "0e99999",
         "0e-100000", "nan"})
-    void anyOtherIsLeftToTheRulesOfNumbers(String word) throws IOException {
-        assertThat(new Numerals(window(word + " ")).readDouble()).isNaN();
+    void anyOtherIsLeftToTheRulesOfNumbers(String word) {
+        assertThat(numerals.readDouble(bytes(word + " "), 0)).isNaN();
     }
 
     @ParameterizedTest
     @ValueSource(strings = {"1", "-1.5", "1e5"})
-    void aNumberMayGoOnBehindTheWindow(String word) throws IOException {
-        assertThat(new Numerals(window(word)).readDouble()).isNaN();
-        assertThat(new Numerals(window(word)).readInteger()).isEqualTo(Numerals.NO_INTEGER);
+    void aNumberMayGoOnBehindTheBytes(String word) {
+        assertThat(numerals.readDouble(bytes(word), 0)).isNaN();
+        assertThat(numerals.readInteger(bytes(word), 0)).isEqualTo(Numerals.NO_INTEGER);
     }
 
     @ParameterizedTest
     @ValueSource(strings = {"0", "7", "-7", "007", "1234567890", "999999999999999999", "-999999999999999999"})
-    void anIntegerOfUpToEighteenDigitsIsRead(String word) throws IOException {
+    void anIntegerOfUpToEighteenDigitsIsRead(String word) {
         for (String behind : BEHIND) {
-            Numerals numerals = new Numerals(window(word + behind));
-
-            assertThat(numerals.readInteger()).isEqualTo(Long.parseLong(word));
+            assertThat(numerals.readInteger(bytes(word + behind), 0)).isEqualTo(Long.parseLong(word));
             assertThat(numerals.end()).isEqualTo(word.length());
         }
     }
 
     @ParameterizedTest
     @ValueSource(strings = {"", "-", "+1", "--1", "1000000000000000000", "1.0", "1e3", "1x", "/1", ":1", "x"})
-    void anyOtherIntegerIsLeftToTheRulesOfNumbers(String word) throws IOException {
-        assertThat(new Numerals(window(word + " ")).readInteger()).isEqualTo(Numerals.NO_INTEGER);
+    void anyOtherIntegerIsLeftToTheRulesOfNumbers(String word) {
+        assertThat(numerals.readInteger(bytes(word + " "), 0)).isEqualTo(Numerals.NO_INTEGER);
     }
 }
