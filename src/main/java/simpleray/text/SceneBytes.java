@@ -3,8 +3,11 @@ package simpleray.text;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.InterruptedIOException;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.HexFormat;
 import java.util.List;
 import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.BlockingQueue;
@@ -13,7 +16,8 @@ import java.util.concurrent.TimeUnit;
 /**
  * A file that is read once, and leaves its SHA-256 and, if it is not long, its bytes. <em>Mutable,</em> for one thread.
  *
- * <p>What is longer than 64 KiB is digested by another thread meanwhile, so that a long file is read as fast as ever.
+ * <p>What is longer than 64 KiB is digested by another thread meanwhile, so that a long file is read as fast as ever. That thread takes the
+ * JDK's digest: it needs 40 ms to load, but a third of the time for 39 MB, as processors have instructions for it.
  */
 public class SceneBytes extends InputStream {
     private static final byte[] SIGNATURE = PngChunks.signature();
@@ -33,7 +37,8 @@ public class SceneBytes extends InputStream {
     private int headAt;
     private List<byte[]> pieces = new ArrayList<>();          // null if they are too long
     private long length;
-    private final Sha256 sum = new Sha256();
+    private final Sha256 sum = new Sha256();                  // of a short file
+    private MessageDigest fastSum;                            // of a long one; the digester's
     private final BlockingQueue<Piece> undigested = new ArrayBlockingQueue<>(AHEAD);
     private final BlockingQueue<byte[]> used = new ArrayBlockingQueue<>(AHEAD);   // to be used again, or a gigabyte would be allocated
     private Thread digester;                                  // null as long as the file is short
@@ -143,6 +148,7 @@ public class SceneBytes extends InputStream {
     @SuppressWarnings("ReferenceEquality")                     // the end is that very piece
     private void digest() {
         try {
+            fastSum = MessageDigest.getInstance("SHA-256");
             for (Piece piece = undigested.take(); piece != END; piece = undigested.take()) {
                 digest(piece.bytes, piece.length);
                 if (!piece.kept) {
@@ -151,14 +157,18 @@ public class SceneBytes extends InputStream {
             }
         } catch (InterruptedException e) {
             return;                                           // nobody does
-        } catch (RuntimeException | Error e) {                // of want of memory, above all
+        } catch (NoSuchAlgorithmException | RuntimeException | Error e) {   // of want of memory, above all
             fault = e;
         }
     }
 
     /** Takes some bytes into the digest. */
     void digest(byte[] bytes, int count) {
-        sum.update(bytes, 0, count);
+        if (fastSum == null) {
+            sum.update(bytes, 0, count);
+        } else {
+            fastSum.update(bytes, 0, count);
+        }
     }
 
     /** {@return what is to be thrown for a digest that ended} An error is thrown at once. */
@@ -187,12 +197,13 @@ public class SceneBytes extends InputStream {
                 if (fault != null) {
                     throw digestFault();
                 }
+                hex = HexFormat.of().formatHex(fastSum.digest());
             } else {
                 for (Piece piece : first) {
                     digest(piece.bytes, piece.length);
                 }
+                hex = sum.hex();
             }
-            hex = sum.hex();
         }
         return hex;
     }
