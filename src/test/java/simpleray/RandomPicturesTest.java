@@ -2,7 +2,6 @@ package simpleray;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import de.javagl.obj.ObjReader;
 import java.io.File;
 import java.nio.file.Path;
 import java.util.List;
@@ -42,7 +41,7 @@ class RandomPicturesTest {
     @Order(2)
     void anotherJavaMakesTheSamePictures() throws Exception {
         Path other = OtherJava.home();
-        String classPath = Stream.of(RandomPictures.class, Renderer.class, ObjReader.class)
+        String classPath = Stream.of(RandomPictures.class, Renderer.class)
             .map(OtherJava::place).distinct().collect(Collectors.joining(File.pathSeparator));
         Program.Result result = Program.finish(Program.java(other, folder,
             List.of("-cp", classPath, RandomPictures.class.getName(), "" + SEED, "" + SCENES_OF_BOTH)).start(), new byte[0]);

@@ -28,7 +28,6 @@ class RoomsTest {
     /** The floor of each room; rooms of one floor do not know each other. {@code accel} is planned. */
     private static final Map<String, Integer> FLOORS = new TreeMap<>(Map.of("simpleray.text", 0, "simpleray.math", 1,
         "simpleray.image", 2, "simpleray.scene", 2, "simpleray.accel", 3, "simpleray.render", 4, "simpleray.ui", 5, "simpleray.cli", 6));
-    private static final String SCENE = "simpleray.scene";
     private static final String UI = "simpleray.ui";
     private static final String CLI = "simpleray.cli";
     private static final String IMAGE = "simpleray.image";
@@ -81,14 +80,9 @@ class RoomsTest {
     }
 
     @Test
-    void onlyTheSceneKnowsTheReaderOfMeshes() {
-        noClasses().that().resideOutsideOfPackage(SCENE).should().dependOnClassesThat().resideInAPackage("de.javagl..").check(PROGRAM);
-    }
-
-    @Test
     void nothingElseIsUsedFromOutsideTheJdk() {
         noClasses().should().dependOnClassesThat(not(resideInAnyPackage("simpleray..", "java..", "javax..", "picocli..", "com.formdev..",
-            "org.fife..", "de.javagl..")).and(not(resideInAPackage("")))).check(PROGRAM); // "": int and the like
+            "org.fife..")).and(not(resideInAPackage("")))).check(PROGRAM); // "": int and the like
     }
 
     @Test

@@ -10,7 +10,7 @@ import simpleray.text.SceneReader;
 final class Lengths {
     /** The largest. */
     static final double MOST = 1e100;
-    /** The largest factor of the coordinates of a mesh, which go to 3.4e38. */
+    /** The largest factor of the coordinates of a mesh; scaled, they are no larger than other lengths. */
     static final double MOST_SCALE = 1e60;
 
     private Lengths() {

@@ -47,7 +47,7 @@ public final class Mesh extends Object {
      * @throws IOException if it cannot be read
      */
     public Mesh(Material n, String file, Point offset, double scale) throws IOException {
-        this(n, file, offset, scale, ObjPolygons.read(Path.of(file), warning -> { }));
+        this(n, file, offset, scale, ObjReader.read(Path.of(file), warning -> { }));
     }
 
     /** Creates the mesh of some triangles; the file is only named. */
@@ -194,8 +194,18 @@ public final class Mesh extends Object {
             is.reject("scale other than 0");
         } else if (Math.abs(scale) > Lengths.MOST_SCALE) {
             is.reject("scale from -1e60 to 1e60");
+        } else if (largest(tree.box()) * (1 - 2 * ROUNDINGS) * Math.abs(scale) > Lengths.MOST) {   // without the box's padding
+            is.reject("scale that leaves the mesh's coordinates from -1e100 to 1e100");
         }
         readMaterial(is);
+    }
+
+    private static double largest(double[] box) {
+        double largest = 0;
+        for (double side : box) {
+            largest = Math.max(largest, Math.abs(side));
+        }
+        return largest;
     }
 
     @Override

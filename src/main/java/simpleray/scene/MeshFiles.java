@@ -69,7 +69,7 @@ final class MeshFiles {
             }
             List<Problem> problems = new ArrayList<>();
             try {
-                tree = new TriangleTree(ObjPolygons.read(path, problems::add,
+                tree = new TriangleTree(ObjReader.read(path, problems::add,
                     digest -> read.add(new SceneText.MeshFile(name, digest))));
             } catch (SceneFormatException e) {
                 problems.addAll(e.problems());

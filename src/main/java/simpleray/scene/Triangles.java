@@ -3,6 +3,7 @@ package simpleray.scene;
 import java.util.Arrays;
 import java.util.HashSet;
 import java.util.Set;
+import simpleray.math.Vector;
 
 /**
  * Triangles with shared vertices, in flat arrays. <em>Constant</em>: the arrays are kept, and must not change.
@@ -88,7 +89,7 @@ record Triangles(double[] vertices, int[] corners, double[] normals, int[] corne
         int c = 3 * corners[3 * triangle + 2];
         double[] n = new double[3];
         cross(triangle, n);
-        double squaredLength = n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
+        Vector normal = new Vector(n[0], n[1], n[2]).normalised();
         boolean above = true;                                 // the point's foot on the plane lies in the triangle
         double nearest = Double.POSITIVE_INFINITY;
         int[] ring = {a, b, c, a};
@@ -99,7 +100,7 @@ record Triangles(double[] vertices, int[] corners, double[] normals, int[] corne
             double px = p[0] - vertices[ring[i]];
             double py = p[1] - vertices[ring[i] + 1];
             double pz = p[2] - vertices[ring[i] + 2];
-            above &= (ey * pz - ez * py) * n[0] + (ez * px - ex * pz) * n[1] + (ex * py - ey * px) * n[2] >= 0;
+            above &= (ey * pz - ez * py) * normal.x + (ez * px - ex * pz) * normal.y + (ex * py - ey * px) * normal.z >= 0;
             double along = Math.max(0, Math.min(1, (ex * px + ey * py + ez * pz) / (ex * ex + ey * ey + ez * ez)));
             double dx = px - along * ex;
             double dy = py - along * ey;
@@ -109,7 +110,7 @@ record Triangles(double[] vertices, int[] corners, double[] normals, int[] corne
         if (!above) {
             return nearest;
         }
-        double height = (p[0] - vertices[a]) * n[0] + (p[1] - vertices[a + 1]) * n[1] + (p[2] - vertices[a + 2]) * n[2];
-        return height * height / squaredLength;
+        double height = (p[0] - vertices[a]) * normal.x + (p[1] - vertices[a + 1]) * normal.y + (p[2] - vertices[a + 2]) * normal.z;
+        return height * height;
     }
 }

@@ -51,7 +51,7 @@ final class HostileFiles {
         List<Problem> warnings = new ArrayList<>();
         String result;
         try {
-            result = file.toString().endsWith(".obj") ? "accepted: " + ObjPolygons.read(file, warnings::add).count() + " triangles"
+            result = file.toString().endsWith(".obj") ? "accepted: " + ObjReader.read(file, warnings::add).count() + " triangles"
                 : scene(SceneFile.read(file), warnings);
         } catch (SceneFormatException | PictureFormatException e) {
             result = e.getMessage();

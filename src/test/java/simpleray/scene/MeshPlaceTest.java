@@ -1,11 +1,16 @@
 package simpleray.scene;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.catchThrowableOfType;
 import static org.assertj.core.api.Assertions.within;
 import static simpleray.text.SceneText.reader;
 
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import simpleray.math.Bounds;
@@ -20,6 +25,9 @@ class MeshPlaceTest {
     /** Two triangles of unlike sides: one that faces +z, and one that faces +x, ten units farther along z. */
     private static final double[] CORNERS = {1, 2, 3, 5, 2, 3, 1, 10, 3, 7, 0, 10, 7, 4, 10, 7, 0, 20};
     private static final double ROUNDING = 1e-12;
+
+    @TempDir
+    private Path folder;
 
     private static Mesh mesh(Point offset, double scale) {
         return new Mesh(new Material(), "a.obj", offset, scale,
@@ -70,5 +78,32 @@ class MeshPlaceTest {
         assertThat(e.problems()).as("with that of the missing file").hasSize(good ? 1 : 2);
         assertThat(e.problems()).last().extracting(Problem::message).asString()
             .startsWith(good ? "expected object 1's OBJ file" : "expected object 1's scale from -1e60 to 1e60, found '" + scale + "'");
+    }
+
+    @ParameterizedTest
+    @CsvSource({"1e100, 1, true", "1e100, -1, true", "1e100, 1.1, false", "-1e50, 1e50, true", "-1e50, -1.1e50, false", "1e-100, 1e60, true"})
+    void scaledCoordinatesAreNoLargerThanOtherLengths(String coordinate, String scale, boolean good) throws IOException {
+        Path obj = Files.writeString(folder.resolve("a.obj"), "v 0 0 0\nv 1 0 0\nv 0 " + coordinate + " 0\nf 1 2 3\n");
+        String text = "1 4 \"" + obj.getFileName() + "\" 0 0 0 " + scale + " 1 1 1 1 1 1 0 0 0 2  0 0 0  0";
+        Path scene = Files.writeString(folder.resolve("a.scene"), text);
+
+        if (good) {
+            assertThat(SceneFile.read(scene).scene().getNumberObjects()).isEqualTo(1);
+        } else {
+            assertThatThrownBy(() -> SceneFile.read(scene)).isInstanceOf(SceneFormatException.class).hasMessageContaining(
+                "expected object 1's scale that leaves the mesh's coordinates from -1e100 to 1e100, found '" + scale + "'");
+        }
+    }
+
+    @Test
+    void theLargestMeshIsSeenAndHasANormal() {
+        double[] vertices = {-1e100, -1e100, 0, 1e100, -1e100, 0, 0, 1e100, 0};
+        Triangles huge = new Triangles(vertices, new int[] {0, 1, 2}, new double[0], null);
+        Mesh mesh = new Mesh(new Material(), "a.obj", new Point(), 1e-100, huge);
+
+        assertThat(mesh.intersect(new Ray(new Point(0, 0, 3), new Vector(0, 0, -1)))).isEqualTo(3, within(ROUNDING));
+        assertThat(mesh.normal(new Point(0, 0, 0.5))).hasToString("[0.0,0.0,1.0]");
+        assertThat(huge.squaredDistance(0, new double[] {0, 0, 1e100})).isEqualTo(1e200, within(1e188));
+        assertThat(huge.squaredDistance(0, new double[] {0, 2e100, 0})).isEqualTo(1e200, within(1e188));
     }
 }

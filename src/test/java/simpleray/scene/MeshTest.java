@@ -35,8 +35,6 @@ class MeshTest {
         f 1 2 6 5
         """;
     private static final double ROUNDING = 1e-12;
-    /** What a number of an OBJ loses as a float. */
-    private static final double FLOAT = 1e-7;
 
     @TempDir
     private Path folder;
@@ -163,14 +161,14 @@ class MeshTest {
             f 1//1 2//2 3//3
             """, new Point(), 1);
         Surface middle = surface(mesh, ray(1, 0, 1, 0, 0, -1));
-        assertThat(middle.shading().x).isEqualTo(0, within(FLOAT));
+        assertThat(middle.shading().x).isEqualTo(0, within(ROUNDING));
         assertThat(middle.shading().z).isEqualTo(1, within(ROUNDING));
         Surface left = surface(mesh, ray(0, 0, 1, 0, 0, -1));
-        assertThat(left.shading().x).isEqualTo(0.6, within(FLOAT));
+        assertThat(left.shading().x).isEqualTo(0.6, within(ROUNDING));
         assertNormal(left.outward(), 0.0, 0.0, 1.0);
         // a quarter of the way: 3/4 (0.6,0,0.8) + 1/4 (-0.6,0,0.8) = (0.3,0,0.8)
         Surface quarter = surface(mesh, ray(0.5, 0, 1, 0, 0, -1));
-        assertThat(quarter.shading().x).isEqualTo(0.3 / Math.sqrt(0.73), within(FLOAT));
+        assertThat(quarter.shading().x).isEqualTo(0.3 / Math.sqrt(0.73), within(ROUNDING));
         assertThat(quarter.shading().dot(quarter.shading())).isEqualTo(1, within(ROUNDING));
     }
 

@@ -20,7 +20,7 @@ import simpleray.text.Problem;
 import simpleray.text.SceneFormatException;
 import simpleray.text.SceneReader;
 
-/** Meshes read, written and printed; the OBJ's own errors are in {@link ObjPolygonsTest}. */
+/** Meshes read, written and printed; the OBJ's own errors are in {@link ObjReaderTest}. */
 class MeshTextTest {
     private static final String MATERIAL = "1.0 1.0 1.0  1.0 1.0 1.0  0.0 0.0 0.0  2.0";
     private static final String END = MATERIAL + "\n0 0 0\n0\n";

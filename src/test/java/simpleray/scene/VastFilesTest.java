@@ -104,7 +104,7 @@ class VastFilesTest {
         long bytes = THREADS.getThreadAllocatedBytes(thread);
 
         SceneFormatException e = catchThrowableOfType(SceneFormatException.class,
-            () -> ObjPolygons.read(new Repeated("v", LINE), "line.obj", warning -> { }));
+            () -> ObjReader.read(new Repeated("v", LINE), "line.obj", warning -> { }));
 
         assertThat(e.problems().get(0).headline()).isEqualTo(
             "line.obj:1:1: error: expected a line of at most 1048576 characters, found a longer one");

@@ -2,8 +2,10 @@ package simpleray.scene;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -15,9 +17,10 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import simpleray.text.Problem;
 import simpleray.text.SceneFormatException;
+import simpleray.text.Sha256;
 
 /** OBJ files, right and wrong. */
-class ObjPolygonsTest {
+class ObjReaderTest {
     private static final String THREE = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
 
     @TempDir
@@ -25,7 +28,7 @@ class ObjPolygonsTest {
     private final List<Problem> warnings = new ArrayList<>();
 
     private Triangles read(String text) throws IOException {
-        return ObjPolygons.read(Files.writeString(folder.resolve("a.obj"), text), warnings::add);
+        return ObjReader.read(Files.writeString(folder.resolve("a.obj"), text), warnings::add);
     }
 
     /** Checks the error at a place, the source line that it shows being the text's. */
@@ -57,9 +60,28 @@ class ObjPolygonsTest {
             .containsExactly(0.5, 1, 2, 1, 0, 0, 0, 1, 0);
     }
 
-    @Test
-    void coordinatesAreFloats() throws IOException {
-        assertThat(read("v 0.1 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3").vertices()[0]).isEqualTo(0.1f).isNotEqualTo(0.1);
+    /** They mean what they mean in a scene file, whether they are usual or not. */
+    @ParameterizedTest
+    @ValueSource(strings = {"0.1", "-0.1", "+0.1", ".5", "5.", "-.5e-3", "1E5", "1e+5", "3.141592653589793", "0.30000000000000004",
+        "123456789012345678901234567890", "0.00000000000000000000000000000000000001234567890123456789", "9007199254740993", "1e23", "-1e100",
+        "4.35", "2.2250738585072011e-308", "4.9e-324", "1e-400", "0e999999", "-0", "8.41e21", "1.7976931348623157e99"})
+    void coordinatesAreDoubles(String number) throws IOException {
+        for (String behind : List.of("", " ", "\t# top", "\\\n", "\u3000")) {
+            double[] vertices = read(THREE + "f 1 2 3\nv 1 " + number + " -2\nv 1 2 " + number + behind).vertices();
+
+            assertThat(vertices[10]).isEqualTo(Double.parseDouble(number));
+            assertThat(vertices[14]).isEqualTo(Double.parseDouble(number));
+        }
+    }
+
+    @ParameterizedTest
+    @CsvSource({"3e-200, 4e-200", "3e-320, 4e-320", "3e99, 4e99"})
+    void aSmallOrLargeNormalHasADirectionToo(String x, String z) throws IOException {
+        double[] normals = read(THREE + "vn " + x + " 0 " + z + "\nf 1//1 2//1 3//1").normals();
+
+        assertThat(normals[0]).isEqualTo(0.6, within(1e-3));  // 3e-320 has four digits
+        assertThat(normals[2]).isEqualTo(0.8, within(1e-3));
+        assertThat(Math.hypot(normals[0], normals[2])).isEqualTo(1, within(1e-15));
     }
 
     @Test
@@ -71,7 +93,8 @@ class ObjPolygonsTest {
 
     @ParameterizedTest
     @CsvSource({"x, ''", "NaN, ' (numbers must be finite)'", "Infinity, ' (numbers must be finite)'", "-inf, ' (numbers must be finite)'",
-        "1f, ' (a number ends with a digit)'", "0x1p3, ' (numbers are decimal)'", "1e39, ' (beyond 3.4e38, the largest coordinate)'",
+        "1f, ' (a number ends with a digit)'", "0x1p3, ' (numbers are decimal)'", "1.1e100, ' (beyond 1e100, the largest coordinate)'",
+        "-1e101, ' (beyond 1e100, the largest coordinate)'", "1e309, ' (beyond 1.8e308, the largest number)'",
         "'1,5', ' (a decimal point is a ''.'')'", "--1, ''"})
     void aVertexConsistsOfFiniteNumbers(String word, String why) {
         assertError("v 0 0 0\nv 1 " + word + " 0\n", 2, 5, "vertex 2's y, found '" + word + "'" + why);
@@ -110,6 +133,24 @@ class ObjPolygonsTest {
         assertError(THREE + "vn 0 0 1\nf 1/1/1/1 2 3\n", 5, 3, "polygon 1's vertex/texture/normal, found '1/1/1/1'");
     }
 
+    /** The usual ones and the others are read by different methods. */
+    @ParameterizedTest
+    @ValueSource(strings = {"3", "+3", "003", "0000000000003", "-1", "-01", "3/", "3//", "3/7", "3/-7", "3/7/", "3/0000000000012"})
+    void aVertexIndexMayBeWrittenInManyWays(String index) throws IOException {
+        for (String behind : List.of("", " ", "\n", "#", "\\\n")) {
+            assertThat(read(THREE + "f 1 2 " + index + behind).corners()).as(behind).containsExactly(0, 1, 2);
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"3//2", "3//-1", "3/1/2", "3/-4/+2", "3//0000000002", "+3//2"})
+    void aNormalIndexMayBeWrittenInManyWays(String index) throws IOException {
+        Triangles triangles = read(THREE + "vn 1 0 0\nvn 0 1 0\nf 1//1 2//2 " + index);
+
+        assertThat(triangles.corners()).containsExactly(0, 1, 2);
+        assertThat(triangles.cornerNormals()).containsExactly(0, 1, 1);
+    }
+
     @Test
     void cornersHaveNormalsAllOrNone() {
         assertError(THREE + "vn 0 0 1\nf 1//1 2 3//1\n", 5, 8, "polygon 1's corners all with normals or all without, found '2'");
@@ -125,6 +166,24 @@ class ObjPolygonsTest {
     @Test
     void anErrorInAContinuedLineIsShownWhereItStands() {
         assertError(THREE + "f 1 2 \\\n  9 3\n", 5, 3, "polygon 1's vertex index among the 3 so far, found '9'");
+    }
+
+    @Test
+    void columnsAreCountedInCharacters() {
+        assertError(THREE + "g \u00e9\n\u00a0\u3000f 1 \u2003 2 \ud83d\ude00 3\n", 5, 11,
+            "polygon 1's vertex index, found '\ud83d\ude00'");
+    }
+
+    @Test
+    void theDigestIsThatOfTheFile() throws IOException {
+        for (int length : new int[] {0, 1, 70_000, 3_000_000}) {
+            byte[] obj = (THREE + "f 1 2 3\n" + "# \u00e9\r\n".repeat(length / 6)).getBytes(StandardCharsets.UTF_8);
+            List<String> digests = new ArrayList<>();
+
+            ObjReader.read(Files.write(folder.resolve("a.obj"), obj), warnings::add, digests::add);
+
+            assertThat(digests).containsExactly(Sha256.of(obj));
+        }
     }
 
     @Test
@@ -145,7 +204,7 @@ class ObjPolygonsTest {
     @Test
     void bytesThatAreNoTextAreNoObj() throws IOException {
         Path path = Files.write(folder.resolve("a.obj"), new byte[] {(byte) 0x89, 'P', 'N', 'G', 0, (byte) 0xff, '\n', 1});
-        assertThatThrownBy(() -> ObjPolygons.read(path, warnings::add)).isInstanceOf(SceneFormatException.class)
+        assertThatThrownBy(() -> ObjReader.read(path, warnings::add)).isInstanceOf(SceneFormatException.class)
             .hasMessageStartingWith(path + ":2:2: error: expected a polygon that has an area, found the end of the file");
     }
 }

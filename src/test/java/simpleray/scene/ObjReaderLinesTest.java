@@ -17,14 +17,14 @@ import simpleray.text.Problem;
 import simpleray.text.SceneFormatException;
 
 /** OBJ files of many polygons, long lines and all kinds of line ends. */
-class ObjLongTest {
+class ObjReaderLinesTest {
     private static final String THREE = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
     private static final int LONGEST = 1 << 20;
 
     private final List<Problem> warnings = new ArrayList<>();
 
     private Triangles read(String obj) throws IOException {
-        return ObjPolygons.read(new ByteArrayInputStream(obj.getBytes(StandardCharsets.UTF_8)), "a.obj", warnings::add);
+        return ObjReader.read(new ByteArrayInputStream(obj.getBytes(StandardCharsets.UTF_8)), "a.obj", warnings::add);
     }
 
     private String headline(String obj) {
@@ -64,16 +64,58 @@ class ObjLongTest {
         assertThat(some.cornerNormals()).containsExactly(0, 0, 0, -1, -1, -1);
     }
 
-    /** The line end lies at each place about the end of a piece of 8192 characters. */
+    /** The line end lies at each place about the end of the buffer, which has 65536 bytes, and of a piece that the file gives. */
     @ParameterizedTest
     @CsvSource({"'\n', 6", "'\r', 6", "'\r\n', 6"})
     void linesAreCountedAlikeWhereverTheyEnd(String end, int line) {
-        for (int length = 8192 - 40; length < 8192 + 4; length++) {
-            String comment = "#" + "x".repeat(length);
-            String obj = comment + end + "v 0 0 0" + end + "v 1 0 0" + end + end + "v 0 1 0" + end + "f 1 2 x" + end;
-            assertThat(headline(obj)).as(length + " characters")
-                .isEqualTo("a.obj:" + line + ":7: error: expected polygon 1's vertex index, found 'x'");
+        for (int length = 65536 - 44; length < 65536 + 4; length++) {
+            for (String first : List.of("#", "g ")) {
+                String obj = first + "x".repeat(length) + end + "v 0 0 0" + end + "v 1 0 0" + end + end + "v 0 1 0" + end + "f 1 2 x" + end;
+                assertThat(headline(obj)).as(length + " characters")
+                    .isEqualTo("a.obj:" + line + ":7: error: expected polygon 1's vertex index, found 'x'");
+            }
         }
+    }
+
+    @Test
+    void aContinuedLineMayLieAnywhereInTheBuffer() throws IOException {
+        for (int length = 65536 - 70; length < 65536 + 4; length++) {
+            String obj = "g " + "x".repeat(length) + "\nv 0 0 0\nv 1 \\\r\n0 0\r\nv 0 1 0\nvn 0 0 2 # up\nf 1//1 \\\n2//1 \\ # \u00e9\r 3//1";
+            Triangles one = read(obj);
+            assertThat(one.vertices()).as(length + " characters").containsExactly(0, 0, 0, 1, 0, 0, 0, 1, 0);
+            assertThat(one.cornerNormals()).as(length + " characters").containsExactly(0, 0, 0);
+            assertThat(headline(obj + "//")).isEqualTo("a.obj:9:2: error: expected polygon 1's vertex/texture/normal, found '3//1//'");
+        }
+    }
+
+    /** A file gives as many bytes at a time as it likes. */
+    @Test
+    void aFileMayComeByteByByte() throws IOException {
+        byte[] obj = ("\uFEFF" + THREE + "# \u00e9\r\nf 1 \\\r\n2 3\r\nf 1 1 1").getBytes(StandardCharsets.UTF_8);
+        Triangles one = ObjReader.read(new ByteArrayInputStream(obj) {
+            @Override
+            public synchronized int read(byte[] bytes, int from, int most) {
+                return super.read(bytes, from, Math.min(1, most));
+            }
+        }, "a.obj", warnings::add);
+
+        assertThat(one.corners()).containsExactly(0, 1, 2);
+        assertThat(warnings).extracting(Problem::line).containsExactly(7);
+    }
+
+    @Test
+    void manyContinuationsAreOneLineThatIsTooLong() {
+        assertThat(headline("\\\n".repeat(LONGEST + 1)))
+            .isEqualTo("a.obj:1048577:1: error: expected a line of at most 1048576 characters, found a longer one");
+    }
+
+    @Test
+    void theCharactersOfALineAreCountedNotItsBytes() throws IOException {
+        String name = "g " + "\u3042".repeat(LONGEST - 2) + "\n";
+
+        assertThat(read(THREE + name + "f 1 2 3").count()).isEqualTo(1);
+        assertThat(headline(THREE + "g" + name + "f 1 2 3"))
+            .isEqualTo("a.obj:4:1: error: expected a line of at most 1048576 characters, found a longer one");
     }
 
     @Test

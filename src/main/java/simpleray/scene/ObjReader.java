@@ -1,0 +1,341 @@
+package simpleray.scene;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.FileSystemException;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.function.Consumer;
+import simpleray.text.Found;
+import simpleray.text.Numbers;
+import simpleray.text.Numerals;
+import simpleray.text.Problem;
+import simpleray.text.SceneBytes;
+import simpleray.text.SceneFormatException;
+
+/**
+ * Reads the polygons of a Wavefront OBJ, and makes triangles of them: each polygon a fan from its first vertex. <em>Mutable,</em> for one
+ * thread.
+ *
+ * <p>Of the format (Wavefront, "Advanced Visualizer Manual", appendix B1) these lines count, and all others are passed over:
+ * <pre>
+ * v  x y z                           a vertex; a weight or a colour behind it is passed over
+ * vn x y z                           a normal, of any length
+ * f  v/vt/vn v/vt/vn v/vt/vn ...     a polygon: indices of vertices, textures and normals; also v, v/vt and v//vn
+ * </pre>
+ * Numbers are written as in a scene file. An index is from 1 on, or from -1 backwards, of those above its line.
+ *
+ * <p>A file of a million triangles is read by code that the JVM has not compiled yet. Therefore the methods for what is usual are small,
+ * and look at bytes; whatever they do not know is looked at again, as a text, by those that know all rules and say what is wrong.
+ */
+final class ObjReader {
+    private static final int INITIAL = 1 << 10;
+    private static final int MIN_CORNERS = 3;
+    /** So many digits are an {@code int} whatever they are. */
+    private static final int MAX_DIGITS = 9;
+    private static final int NONE = -1;
+
+    private final LineReader lines;
+    private final Numerals numerals = new Numerals();
+    private byte[] bytes;                                     // of the line
+    private int at;                                           // behind the latest word of the line
+    private int end;                                          // of the line
+
+    private double[] vertices = new double[3 * INITIAL];
+    private double[] normals = new double[3 * INITIAL];
+    private int[] triangles = new int[3 * INITIAL];
+    private int[] triangleNormals;                            // null until there is a polygon with normals
+    private int vertexCount;
+    private int normalCount;
+    private int triangleEnd;
+    private int polygonCount;
+
+    private int[] corners = new int[MIN_CORNERS + 1];         // of the polygon: its vertices
+    private int[] cornerNormals = new int[MIN_CORNERS + 1];   // and its normals, or NONE of each
+    private int cornerCount;
+    private final double[] cross = new double[3];
+    private int flatCount;
+    private Problem firstFlat;
+
+    private ObjReader(LineReader lines) {
+        this.lines = lines;
+    }
+
+    /** Reads a file of which nobody asks for the digest. */
+    static Triangles read(Path path, Consumer<Problem> warnings) throws IOException {
+        return read(path, warnings, digest -> { });
+    }
+
+    /**
+     * Reads a file.
+     *
+     * @param path the file; its path as given stands in messages
+     * @param warnings told of each warning
+     * @param digest told of the file's SHA-256
+     * @return its triangles, at least one
+     * @throws SceneFormatException if it is no OBJ with polygons
+     * @throws FileSystemException if it cannot be opened, with a reason that people understand
+     * @throws IOException if it cannot be read
+     */
+    static Triangles read(Path path, Consumer<Problem> warnings, Consumer<String> digest) throws IOException {
+        if (Files.isDirectory(path)) {
+            throw new FileSystemException(path.toString(), null, "is a folder");
+        }
+        if (Files.exists(path) && !Files.isRegularFile(path)) {   // a pipe or a device may never end
+            throw new FileSystemException(path.toString(), null, "is no regular file");
+        }
+        try (SceneBytes in = new SceneBytes(Files.newInputStream(path), 0)) {
+            Triangles read = read(in, path.toString(), warnings);
+            digest.accept(in.sha256());
+            return read;
+        } catch (NoSuchFileException | AccessDeniedException e) {
+            String reason = e instanceof NoSuchFileException ? "no such file" : "may not be read";
+            throw (IOException) new FileSystemException(path.toString(), null, reason).initCause(e);
+        }
+    }
+
+    /** Reads the text of an OBJ; messages call it by this name. */
+    static Triangles read(InputStream in, String name, Consumer<Problem> warnings) throws IOException {
+        ObjReader reader = new ObjReader(new LineReader(in, name));
+        while (reader.lines.read()) {
+            reader.readLine();
+        }
+        return reader.triangles(warnings);
+    }
+
+    private void readLine() throws SceneFormatException {
+        bytes = lines.bytes;
+        end = lines.end;
+        at = lines.begin;
+        skipBlanks();
+        int keyword = at;
+        skipWord();
+        int first = at > keyword ? bytes[keyword] | ' ' : 0;  // in lower case
+        if (at - keyword == 1) {
+            if (first == 'v') {
+                readVertex();
+            } else if (first == 'f') {
+                readPolygon();
+            }
+        } else if (at - keyword == 2 && first == 'v' && (bytes[keyword + 1] | ' ') == 'n') {
+            readNormal();
+        }
+    }
+
+    private void skipBlanks() {
+        int i = at;
+        while (i < end && LineReader.isBlank(bytes[i])) {
+            i++;
+        }
+        at = i;
+    }
+
+    private void skipWord() {
+        int i = at;
+        while (i < end && !LineReader.isBlank(bytes[i])) {
+            i++;
+        }
+        at = i;
+    }
+
+    private void readVertex() throws SceneFormatException {
+        int i = 3 * vertexCount++;
+        vertices = withRoom(vertices, i);
+        vertices[i] = readNumber("vertex ", vertexCount, 'x');
+        vertices[i + 1] = readNumber("vertex ", vertexCount, 'y');
+        vertices[i + 2] = readNumber("vertex ", vertexCount, 'z');
+    }
+
+    /** Reads a normal, and makes it of unit length, or zero if it is. */
+    private void readNormal() throws SceneFormatException {
+        int i = 3 * normalCount++;
+        normals = withRoom(normals, i);
+        double x = readNumber("normal ", normalCount, 'x');
+        double y = readNumber("normal ", normalCount, 'y');
+        double z = readNumber("normal ", normalCount, 'z');
+        // a power of two, which rounds nothing, so that squares of small components are not 0
+        double unit = Math.scalb(1.0, -Math.getExponent(Math.max(Math.abs(x), Math.max(Math.abs(y), Math.abs(z)))));
+        x *= unit;
+        y *= unit;
+        z *= unit;
+        double length = Math.sqrt(x * x + y * y + z * z);
+        double scale = length > 0 ? 1 / length : 0;
+        normals[i] = x * scale;
+        normals[i + 1] = y * scale;
+        normals[i + 2] = z * scale;
+    }
+
+    private double readNumber(String owner, int number, char axis) throws SceneFormatException {
+        skipBlanks();
+        int word = at;
+        double value = numerals.readDouble(bytes, word);
+        at = numerals.end();
+        return Math.abs(value) <= Lengths.MOST ? value : readUnusualNumber(word, owner, number, axis);
+    }
+
+    private double readUnusualNumber(int begin, String owner, int number, char axis) throws SceneFormatException {
+        at = begin;
+        skipWord();
+        String word = lines.text(begin, at);
+        double value = Numbers.parseDouble(word);
+        if (Math.abs(value) <= Lengths.MOST) {
+            return value;
+        }
+        String why = Double.isNaN(value) ? "" : " (beyond 1e100, the largest coordinate)";
+        throw lines.error(begin, owner + number + "'s " + axis, found(word) + why);
+    }
+
+    private void readPolygon() throws SceneFormatException {
+        polygonCount++;
+        cornerCount = 0;
+        skipBlanks();
+        while (at < end || cornerCount < MIN_CORNERS) {
+            readCorner();
+            skipBlanks();
+        }
+        if (cornerNormals[0] != NONE && triangleNormals == null) {
+            triangleNormals = new int[triangles.length];
+            Arrays.fill(triangleNormals, 0, triangleEnd, NONE);
+        }
+        for (int i = 2; i < cornerCount; i++) {
+            addTriangle(i - 1, i);
+        }
+    }
+
+    /** Reads a corner: v, v/vt, v//vn or v/vt/vn. */
+    private void readCorner() throws SceneFormatException {
+        int word = at;
+        int vertex = fromStart(readInteger(), vertexCount);
+        int normal = NONE;
+        boolean known = vertex != NONE;
+        if (known && bytes[at] == '/') {
+            at++;
+            known = bytes[at] == '/' || readInteger() != 0;
+            if (known && bytes[at] == '/') {
+                at++;
+                normal = fromStart(readInteger(), normalCount);
+                known = normal != NONE;
+            }
+        }
+        if (known && (at == end || LineReader.isBlank(bytes[at])) && (cornerCount == 0 || normal != NONE == (cornerNormals[0] != NONE))) {
+            addCorner(vertex, normal);
+        } else {
+            readUnusualCorner(word);
+        }
+    }
+
+    /** Reads an integer of a few digits; returns 0, which is no index, if there is none. */
+    private int readInteger() {
+        boolean negative = bytes[at] == '-';
+        int begin = negative ? at + 1 : at;
+        int i = begin;
+        int value = 0;
+        while (bytes[i] >= '0' && bytes[i] <= '9') {
+            value = 10 * value + bytes[i++] - '0';
+        }
+        at = i;
+        return i - begin > MAX_DIGITS ? 0 : negative ? -value : value;
+    }
+
+    /** {@return an index of one of the things so far, counted from 0 on; NONE if there is none of it} */
+    private static int fromStart(int index, int count) {
+        return index > 0 && index <= count ? index - 1 : index < 0 && index >= -count ? count + index : NONE;
+    }
+
+    private void readUnusualCorner(int begin) throws SceneFormatException {
+        at = begin;
+        skipWord();
+        if (at == begin) {
+            throw error(begin, "corner " + (cornerCount + 1) + " of at least " + MIN_CORNERS, "the end of the line");
+        }
+        String word = lines.text(begin, at);
+        String[] indices = word.split("/", -1);
+        boolean withNormal = indices.length > 2 && !indices[2].isEmpty();
+        if (cornerCount > 0 && withNormal != (cornerNormals[0] != NONE)) {
+            throw error(begin, "corners all with normals or all without", found(word));
+        }
+        int vertex = index(begin, word, indices[0], vertexCount, "vertex");
+        if (indices.length > 1 && !indices[1].isEmpty()) {
+            index(begin, word, indices[1], Integer.MAX_VALUE, "texture");
+        }
+        int normal = withNormal ? index(begin, word, indices[2], normalCount, "normal") : NONE;
+        if (indices.length > 3) {
+            throw error(begin, "vertex/texture/normal", found(word));
+        }
+        addCorner(vertex, normal);
+    }
+
+    private int index(int begin, String word, String index, int count, String what) throws SceneFormatException {
+        Long value = Numbers.parseInteger(index, -count, count);
+        if (value == null || value == 0) {
+            boolean number = Numbers.parseInteger(index, Long.MIN_VALUE, Long.MAX_VALUE) != null;
+            String range = number && count < Integer.MAX_VALUE ? " among the " + count + " so far" : "";
+            throw error(begin, what + " index" + range, found(word));
+        }
+        return fromStart(value.intValue(), count);
+    }
+
+    private SceneFormatException error(int begin, String wanted, String found) {
+        return lines.error(begin, "polygon " + polygonCount + "'s " + wanted, found);
+    }
+
+    private static String found(String word) {
+        return word.isEmpty() ? "the end of the line" : Found.word(word);
+    }
+
+    private void addCorner(int vertex, int normal) {
+        if (cornerCount == corners.length) {
+            corners = Arrays.copyOf(corners, 2 * cornerCount);
+            cornerNormals = Arrays.copyOf(cornerNormals, 2 * cornerCount);
+        }
+        corners[cornerCount] = vertex;
+        cornerNormals[cornerCount++] = normal;
+    }
+
+    /** Adds the triangle of the polygon's first corner and two others, unless it is flat. */
+    private void addTriangle(int second, int third) {
+        if (!Triangles.cross(vertices, 3 * corners[0], 3 * corners[second], 3 * corners[third], cross)) {
+            if (flatCount++ == 0) {
+                firstFlat = lines.warning("");
+            }
+            return;
+        }
+        if (triangleEnd == triangles.length) {
+            triangles = Arrays.copyOf(triangles, larger(triangleEnd));
+            triangleNormals = triangleNormals == null ? null : Arrays.copyOf(triangleNormals, triangles.length);
+        }
+        if (triangleNormals != null) {
+            triangleNormals[triangleEnd] = cornerNormals[0];
+            triangleNormals[triangleEnd + 1] = cornerNormals[second];
+            triangleNormals[triangleEnd + 2] = cornerNormals[third];
+        }
+        triangles[triangleEnd++] = corners[0];
+        triangles[triangleEnd++] = corners[second];
+        triangles[triangleEnd++] = corners[third];
+    }
+
+    private Triangles triangles(Consumer<Problem> warnings) throws SceneFormatException {
+        if (triangleEnd == 0) {
+            throw lines.missing("a polygon that has an area");
+        }
+        if (flatCount > 0) {
+            warnings.accept(new Problem(firstFlat.file(), firstFlat.line(), firstFlat.column(), false, "expected triangles that have an"
+                + " area, found " + flatCount + " without, which " + (flatCount == 1 ? "is" : "are") + " skipped", firstFlat.source()));
+        }
+        return new Triangles(Arrays.copyOf(vertices, 3 * vertexCount), Arrays.copyOf(triangles, triangleEnd),
+            Arrays.copyOf(normals, 3 * normalCount), triangleNormals == null ? null : Arrays.copyOf(triangleNormals, triangleEnd));
+    }
+
+    /** {@return an array with room for three more numbers at this place} */
+    private static double[] withRoom(double[] array, int place) {
+        return place < array.length ? array : Arrays.copyOf(array, larger(place));
+    }
+
+    /** {@return a length half as much again, a multiple of 3 as all lengths here are} */
+    private static int larger(int length) {
+        return (int) Math.min((Integer.MAX_VALUE - 8L) / 3, length / 3 * 3L / 2 + 1) * 3;
+    }
+}
