@@ -10,11 +10,13 @@ import simpleray.math.Colour;
 import simpleray.math.Point;
 import simpleray.math.Ray;
 import simpleray.math.Vector;
+import simpleray.scene.Integrator;
 import simpleray.scene.Material;
-import simpleray.scene.RayTracer;
+import simpleray.scene.RayStats;
 import simpleray.scene.Scene;
 import simpleray.scene.Sphere;
 import simpleray.scene.Terms;
+import simpleray.scene.WhittedIntegrator;
 
 /** The way of rays in all directions through 10,000 spheres: spread evenly, which makes a grid, or in a few heaps, which makes a tree. */
 public class Traversal extends Bench {
@@ -30,7 +32,7 @@ public class Traversal extends Bench {
     public String spheres;
 
     private final Ray[] rays = new Ray[RAYS];
-    private RayTracer worker;
+    private Integrator integrator;
 
     /** Makes the spheres and the rays. */
     @Setup
@@ -47,7 +49,8 @@ public class Traversal extends Bench {
             Point centre = heaped ? Point.add(heap, Vector.subtract(point(random, HEAP), new Point())) : point(random, 1);
             scene.setObject(i, new Sphere(new Material(), centre, heaped ? RADIUS * HEAP : RADIUS));
         }
-        worker = new Engine(scene, new Point(0, 0, 2), 1).worker();
+        RayStats stats = new RayStats();
+        integrator = new WhittedIntegrator(scene, new Engine(scene, new Point(0, 0, 2), 1).intersector(stats), Terms.ALL, stats, null);
         for (int i = 0; i < RAYS; i++) {
             Vector direction = new Vector(random.nextGaussian(), random.nextGaussian(), random.nextGaussian());
             direction.normalise();
@@ -67,7 +70,7 @@ public class Traversal extends Bench {
         int hits = 0;
         Colour colour = new Colour();
         for (Ray ray : rays) {
-            hits += worker.intersect(ray, colour, 0, Terms.ALL) ? 1 : 0;
+            hits += integrator.trace(ray, colour, 0) ? 1 : 0;
         }
         return hits;
     }

@@ -117,7 +117,7 @@ final class BvhWalk extends Walk {
         while (true) {
             int at = next * Bvh.STRIDE;
             int base = top;
-            finder.tally.steps++;
+            finder.stats.steps++;
             for (int c = 0; c < Bvh.WIDTH; c++) {
                 int k = at + c;
                 int near = Math.max(Math.max(bits((sides[k + nearX] - rx) * jx), bits((sides[k + nearY] - ry) * jy)),

@@ -5,16 +5,16 @@ import java.util.List;
 import simpleray.math.Point;
 import simpleray.math.Vector;
 import simpleray.scene.DirectionalLight;
+import simpleray.scene.Intersector;
 import simpleray.scene.Light;
 import simpleray.scene.Object;
 import simpleray.scene.PointLight;
-import simpleray.scene.Probe;
-import simpleray.scene.RayTracer;
+import simpleray.scene.RayStats;
 import simpleray.scene.Scene;
 
 /**
  * A scene made ready for fast rendering: flat arrays, a tree of boxes, lists of what lies in each direction from the eye and the lights.
- * <em>Constant</em>, as long as the scene is; any thread may ask for a worker.
+ * <em>Constant</em>, as long as the scene is; any thread may ask for an intersector.
  */
 public final class Engine {
     /** From so many bounded objects on a tree pays. */
@@ -37,7 +37,6 @@ public final class Engine {
     final FewBuffer eyeFew;
     final FewBuffer[] lightFew;
     private final boolean listed;                             // whether the eye's lists were made if they can be
-    private final List<Tally> tallies = new ArrayList<>();
 
     /** Ways to the bounded objects. */
     enum Kind { BEST, GRID, BVH }
@@ -132,7 +131,7 @@ public final class Engine {
      * Makes the scene ready for another eye, or for the same one; what takes long is not done again.
      *
      * @param other where primary rays start
-     * @return an engine for that eye, with counts of its own; it may lack the lists of what lies in each direction from there
+     * @return an engine for that eye; it may lack the lists of what lies in each direction from there
      */
     public Engine seenFrom(Point other) {
         return new Engine(this, other, false);
@@ -143,44 +142,13 @@ public final class Engine {
         return listed ? this : new Engine(this, eye, true);
     }
 
-    /** {@return one that finds the colours of rays, for one thread} */
-    public RayTracer worker() {
-        Worker worker = new Worker(this);
-        synchronized (tallies) {
-            tallies.add(worker.tally());
-        }
-        return worker;
-    }
-
-    /** {@return one whose work is not counted} */
-    public RayTracer uncounted() {
-        return new Worker(this);
-    }
-
     /**
-     * Makes what answers single questions, for one thread.
+     * Makes what finds hits in the scene, for one thread.
      *
-     * @param counted whether its work counts
-     * @return the probe
+     * @param stats gets the counts of tests and steps
+     * @return the intersector
      */
-    public Probe probe(boolean counted) {
-        EngineProbe probe = new EngineProbe(this);
-        if (counted) {
-            synchronized (tallies) {
-                tallies.add(probe.tally());
-            }
-        }
-        return probe;
-    }
-
-    /** {@return what all workers did together; to be asked when they have ended} */
-    public Tally tally() {
-        Tally sum = new Tally();
-        synchronized (tallies) {
-            for (Tally tally : tallies) {
-                sum.add(tally);
-            }
-        }
-        return sum;
+    public Intersector intersector(RayStats stats) {
+        return new AcceleratedIntersector(this, stats);
     }
 }

@@ -5,6 +5,7 @@ import simpleray.math.Point;
 import simpleray.math.Ray;
 import simpleray.math.Vector;
 import simpleray.scene.Plane;
+import simpleray.scene.RayStats;
 import simpleray.scene.Sphere;
 
 /** Finds what rays hit first, and what stands between a point and a light. <em>Mutable</em>: one thread's own. */
@@ -24,16 +25,16 @@ final class Finder {
     private long[] noted;                                     // for which shadow each object was noted last
     private long shadows;
 
-    final Tally tally = new Tally();
-
+    final RayStats stats;
     private final Engine engine;
     final Primitives all;
     private final Walk walk;
     private final int[] lastBlockers;                         // of the bounded objects, for each light
     private final FewBuffer[] rows;                           // for each light that needs it: all, what was in its way of late first
 
-    Finder(Engine engine) {
+    Finder(Engine engine, RayStats stats) {
         this.engine = engine;
+        this.stats = stats;
         all = engine.primitives;
         walk = engine.structure == null ? null : engine.structure.walk(this);
         lastBlockers = new int[engine.lights.length];
@@ -66,7 +67,7 @@ final class Finder {
                 bestOrder = order;
             }
         }
-        tally.tests += (k - start) / FewBuffer.ENTRY;
+        stats.tests += (k - start) / FewBuffer.ENTRY;
         t = best;
         hit = bestPlace;
         hitOrder = bestOrder;
@@ -110,7 +111,7 @@ final class Finder {
                 hitOrder = all.order[i];
             }
         }
-        tally.tests += end - first;
+        stats.tests += end - first;
     }
 
     /** Asks the objects of a list. */
@@ -130,7 +131,7 @@ final class Finder {
         t = best;
         hit = bestPlace;
         hitOrder = bestOrder;
-        tally.tests += end - first;
+        stats.tests += end - first;
     }
 
     /** Asks the objects that lie in a direction from the eye, until the rest is farther away than the nearest hit. */
@@ -154,7 +155,7 @@ final class Finder {
         t = best;
         hit = bestPlace;
         hitOrder = bestOrder;
-        tally.tests += i - first;
+        stats.tests += i - first;
     }
 
     /**
@@ -206,7 +207,7 @@ final class Finder {
                 last = k;
             }
         }
-        tally.tests += (k - start) / FewBuffer.ENTRY;
+        stats.tests += (k - start) / FewBuffer.ENTRY;
         if (inRow && few.isDue()) {
             few.exchange(last, start);                        // to be asked first from now on
         }
@@ -222,7 +223,7 @@ final class Finder {
         if (last == NONE) {
             return false;
         }
-        tally.tests++;
+        stats.tests++;
         return isWithin(all.intersectBounded(last, ray), distance);
     }
 
@@ -261,11 +262,11 @@ final class Finder {
         for (int i = first; i < end; i++) {
             double at = all.intersectBounded(i, ray);
             if (isWithin(at, distance) && blocks(i)) {
-                tally.tests += i - first + 1;
+                stats.tests += i - first + 1;
                 return i;
             }
         }
-        tally.tests += end - first;
+        stats.tests += end - first;
         return NONE;
     }
 
@@ -274,11 +275,11 @@ final class Finder {
         for (int i = first; i < end; i++) {
             double at = all.intersectBounded(places[i], ray);
             if (isWithin(at, distance) && blocks(places[i])) {
-                tally.tests += i - first + 1;
+                stats.tests += i - first + 1;
                 return places[i];
             }
         }
-        tally.tests += end - first;
+        stats.tests += end - first;
         return NONE;
     }
 
@@ -290,11 +291,11 @@ final class Finder {
         for (int last = buffer.starts[cell + 1]; end < last && buffer.near[buffer.places[end]] <= distance; end++) {
             double at = all.intersectBounded(buffer.places[end], ray);
             if (isWithin(at, distance) && blocks(buffer.places[end])) {
-                tally.tests += end - first + 1;
+                stats.tests += end - first + 1;
                 return buffer.places[end];
             }
         }
-        tally.tests += end - first;
+        stats.tests += end - first;
         return NONE;
     }
 }

@@ -126,7 +126,7 @@ final class GridWalk extends Walk {
                 cell += stepZ;
             }
         }
-        finder.tally.steps += visited;
+        finder.stats.steps += visited;
         return blocker;
     }
 }

@@ -40,8 +40,6 @@ final class Primitives {
     final double[] spheres;
     /** Four numbers for each plane: its normal and constant. */
     final double[] planes;
-    /** The unit normals of planes. */
-    private final Vector[] unitNormals;
     /** Whether none lets light through. */
     final boolean opaque;
 
@@ -69,7 +67,6 @@ final class Primitives {
         objects = new Object[count];
         spheres = new double[4 * bounded];
         planes = new double[4 * (afterPlanes - bounded)];
-        unitNormals = new Vector[afterPlanes - bounded];
         boolean allOpaque = true;
         int[] ranks = ranks(order);
         for (int place = 0; place < count; place++) {         // of the scene: so they lie in memory
@@ -82,7 +79,6 @@ final class Primitives {
                 set(spheres, i, sphere.centre.x, sphere.centre.y, sphere.centre.z, sphere.radius);
             } else if (i >= bounded && object instanceof Plane plane) {
                 set(planes, i - bounded, plane.normal.x, plane.normal.y, plane.normal.z, plane.constant);
-                unitNormals[i - bounded] = plane.normal.normalised();
             }
         }
         opaque = allOpaque;
@@ -175,23 +171,5 @@ final class Primitives {
             return Sphere.hit(o.x - spheres[at], o.y - spheres[at + 1], o.z - spheres[at + 2], d.x, d.y, d.z, radius);
         }
         return objects[place].intersect(ray);
-    }
-
-    /** Finds the unit normal, outward, at a point of a sphere or plane; false if the object is neither. */
-    boolean normal(int place, Point point, Vector normal) {
-        if (place >= afterPlanes) {
-            return false;
-        }
-        if (place >= bounded) {
-            normal.copy(unitNormals[place - bounded]);
-            return true;
-        }
-        int at = 4 * place;
-        if (!(spheres[at + 3] > 0)) {
-            return false;
-        }
-        normal.set(point.x - spheres[at], point.y - spheres[at + 1], point.z - spheres[at + 2]);
-        normal.normalise();
-        return true;
     }
 }

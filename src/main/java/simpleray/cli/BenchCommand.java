@@ -10,13 +10,13 @@ import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParentCommand;
-import simpleray.accel.Tally;
 import simpleray.render.PreparedScene;
 import simpleray.render.RenderListener;
 import simpleray.render.RenderRequest;
 import simpleray.render.RenderSettings;
 import simpleray.render.Renderer;
 import simpleray.render.Stage;
+import simpleray.scene.RayStats;
 import simpleray.scene.Scene;
 import simpleray.scene.SceneFile;
 import simpleray.scene.SceneSettings;
@@ -45,7 +45,7 @@ final class BenchCommand implements Callable<Integer> {
     private final int all = Runtime.getRuntime().availableProcessors();
 
     /** What one rendering took, without the time to make the scene ready; and what it did. */
-    private record Run(double ready, double seconds, Tally tally) {
+    private record Run(double ready, double seconds, RayStats stats) {
     }
 
     @Override
@@ -70,12 +70,12 @@ final class BenchCommand implements Callable<Integer> {
         Run clear = median(glass, Stage.FINAL, 0, 1);
         Run bent = median(glass, Stage.FINAL, DEPTH, 1);
         say("%nrays of one thread, %d spheres        rays   million a second", quick ? SIZES[0] : KINDS_SIZE);
-        rate("primary", primary.tally.primary, primary.seconds);
-        rate("shadow", shadowed.tally.shadow, shadowed.seconds - lit.seconds);
-        rate("reflected, with the shadow rays of what they hit", mirrored.tally.rays() - shadowed.tally.rays(),
+        rate("primary", primary.stats.primary, primary.seconds);
+        rate("shadow", shadowed.stats.shadow, shadowed.seconds - lit.seconds);
+        rate("reflected, with the shadow rays of what they hit", mirrored.stats.rays() - shadowed.stats.rays(),
             mirrored.seconds - shadowed.seconds);
-        rate("refracted and reflected in glass, likewise", bent.tally.rays() - clear.tally.rays(), bent.seconds - clear.seconds);
-        rate("all of a finished picture", mirrored.tally.rays(), mirrored.seconds);
+        rate("refracted and reflected in glass, likewise", bent.stats.rays() - clear.stats.rays(), bent.seconds - clear.seconds);
+        rate("all of a finished picture", mirrored.stats.rays(), mirrored.seconds);
     }
 
     private void rate(String kind, long rays, double seconds) throws Failure {
@@ -87,9 +87,9 @@ final class BenchCommand implements Callable<Integer> {
         List<double[]> points = new ArrayList<>();
         for (int n : quick ? Arrays.copyOf(SIZES, 2) : SIZES) {
             Run run = median(ManySpheres.scene(n, false), Stage.FINAL, DEPTH, all);
-            long rays = run.tally.rays();
+            long rays = run.stats.rays();
             say("%9d   %13.3f   %9.3f   %d   %.0f   %.1f", n, run.ready, run.seconds, rays, run.seconds / rays * 1e9,
-                (double) run.tally.tests / rays);
+                (double) run.stats.tests / rays);
             points.add(new double[] {Math.log(n), Math.log(run.seconds)});
         }
         say("the time to render grows as the number of spheres to the power of %.3f", slope(points));
@@ -164,7 +164,7 @@ final class BenchCommand implements Callable<Integer> {
     private Run run(Scene scene, Stage stage, int depth, int threads) {
         Renderer renderer = new Renderer(scene, new SimpleCamera(side(), side()), new RenderSettings(stage, depth, 1, threads));
         renderer.render(RenderListener.NONE);
-        return new Run(renderer.work().readySeconds(), renderer.work().renderSeconds(), renderer.work().tally());
+        return new Run(renderer.work().readySeconds(), renderer.work().renderSeconds(), renderer.work().stats());
     }
 
     private void say(String format, java.lang.Object... values) throws Failure {

@@ -7,8 +7,8 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Collectors;
-import simpleray.accel.Tally;
 import simpleray.render.Work;
+import simpleray.scene.RayStats;
 
 /** What {@code render --stats} says of a rendering. <em>Constant.</em> */
 final class Stats {
@@ -36,15 +36,15 @@ final class Stats {
      * @param work what the rendering did
      */
     Stats(double readSeconds, Work work) {
-        Tally tally = work.tally();
-        if (tally != null) {
-            rays.put("primary", tally.primary);
-            rays.put("reflected", tally.reflected);
-            rays.put("refracted", tally.refracted);
-            rays.put("shadow", tally.shadow);
-            rays.put("testsPerRay", tally.rays() == 0 ? 0 : rounded((double) tally.tests / tally.rays()));
-            rays.put("stepsPerRay", tally.rays() == 0 ? 0 : rounded((double) tally.steps / tally.rays()));
-            depths = tally.depths.clone();
+        RayStats stats = work.stats();
+        if (stats != null) {
+            rays.put("primary", stats.primary);
+            rays.put("reflected", stats.reflected);
+            rays.put("refracted", stats.refracted);
+            rays.put("shadow", stats.shadow);
+            rays.put("testsPerRay", stats.rays() == 0 ? 0 : rounded((double) stats.tests / stats.rays()));
+            rays.put("stepsPerRay", stats.rays() == 0 ? 0 : rounded((double) stats.steps / stats.rays()));
+            depths = stats.depths.clone();
         }
         seconds.put("read", rounded(readSeconds));
         seconds.put("prepare", rounded(work.readySeconds()));

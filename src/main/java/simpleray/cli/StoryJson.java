@@ -9,12 +9,12 @@ import simpleray.math.Point;
 import simpleray.math.Vector;
 import simpleray.render.PixelStory;
 import simpleray.scene.Material;
-import simpleray.scene.Story;
-import simpleray.scene.Story.Between;
-import simpleray.scene.Story.Hit;
-import simpleray.scene.Story.Lamp;
-import simpleray.scene.Story.Next;
-import simpleray.scene.Story.Thing;
+import simpleray.scene.RayTree;
+import simpleray.scene.RayTree.Between;
+import simpleray.scene.RayTree.Hit;
+import simpleray.scene.RayTree.Lamp;
+import simpleray.scene.RayTree.Next;
+import simpleray.scene.RayTree.Thing;
 import simpleray.text.Numbers;
 
 /** A pixel's story as one JSON object, its numbers to the last bit. What is infinite, or not known, is null. */
@@ -50,11 +50,11 @@ final class StoryJson {
         out.append("],\"clamped\":").append(sample.clamped());
         colour("colour", sample.colour());
         name("ray");
-        tell(sample.story());
+        tell(sample.tree());
         out.append('}');
     }
 
-    private void tell(Story story) {
+    private void tell(RayTree story) {
         Point from = story.ray().origin;
         out.append("{\"origin\":");
         triple(from.x, from.y, from.z);
@@ -136,7 +136,7 @@ final class StoryJson {
         triple(next.share().r, next.share().g, next.share().b);
         colour("colour", next.colour());
         name("ray");
-        tell(next.story());
+        tell(next.tree());
         out.append('}');
     }
 

@@ -7,19 +7,24 @@ import simpleray.accel.Engine;
 import simpleray.math.Colour;
 import simpleray.math.Ray;
 import simpleray.scene.Camera;
-import simpleray.scene.Probe;
-import simpleray.scene.RayTracer;
+import simpleray.scene.Hit;
+import simpleray.scene.Integrator;
+import simpleray.scene.Intersector;
+import simpleray.scene.RayStats;
+import simpleray.scene.RayTree;
+import simpleray.scene.RayTreeRecorder;
 import simpleray.scene.Scene;
-import simpleray.scene.Story;
-import simpleray.scene.Storyteller;
+import simpleray.scene.WhittedIntegrator;
 
 /** Tells about single pixels of a picture. <em>Mutable</em>: one thread's own. The scene and the camera must not change meanwhile. */
 public final class Explainer {
     private final Scene scene;
     private final Camera camera;
     private final RenderSettings settings;
-    private final Probe probe;
-    private final RayTracer rays;
+    private final Intersector intersector;
+    private final Integrator integrator;
+    private final RayStats uncounted = new RayStats();
+    private final Hit hit = new Hit();
     private final Sampler sampler;
 
     /** Creates one. The engine is the scene made ready; if it is null, and is not to be done without, it is made. */
@@ -28,9 +33,9 @@ public final class Explainer {
         this.camera = camera;
         this.settings = settings;
         Engine ready = engine != null || settings.accel() == Accel.NONE ? engine : new Engine(scene, camera.eye(), settings.threads());
-        probe = ready == null ? Probe.of(scene) : ready.probe(false);
-        rays = Tracer.rays(scene, ready, settings.stage(), false);
-        Tracer tracer = new Tracer(rays, camera, settings);
+        intersector = Tracer.intersector(scene, ready, uncounted);
+        integrator = Tracer.integrator(scene, intersector, settings.stage(), uncounted);
+        Tracer tracer = new Tracer(integrator, camera, settings);
         sampler = settings.samples() != RenderSettings.ADAPTIVE ? new GridSampler(tracer, settings.samples())
             : new AdaptiveSampler(tracer, camera.width(), camera.height(), Region.whole(camera.width(), camera.height()),
                 AdaptiveSampler.rows(1, 1));
@@ -53,9 +58,9 @@ public final class Explainer {
      * @param y the row, 0 at the top
      * @return the object; null if nothing is hit
      */
-    public Story.Thing objectAt(int x, int y) {
-        int place = probe.nearest(camera.through(x + 0.5, y + 0.5), 0, false);
-        return place == Probe.NONE ? null : Storyteller.object(scene, place);
+    public RayTree.Thing objectAt(int x, int y) {
+        boolean hits = intersector.intersect(camera.through(x + 0.5, y + 0.5), hit);
+        return hits ? RayTreeRecorder.object(scene, hit.place) : null;
     }
 
     /**
@@ -70,23 +75,24 @@ public final class Explainer {
     public PixelStory story(int x, int y) {
         Objects.checkIndex(x, camera.width());
         Objects.checkIndex(y, camera.height());
-        Storyteller teller = new Storyteller(scene, probe, settings.stage().terms());
+        RayTreeRecorder recorder = new RayTreeRecorder(scene);
+        Integrator recorded = new WhittedIntegrator(scene, intersector, settings.stage().terms(), uncounted, recorder);
         double[] points = sampler.points(x, y);
         boolean clamped = settings.samples() != 1;
         List<PixelStory.Sample> samples = new ArrayList<>();
         Colour colour = new Colour();
         for (int i = 0; i < points.length; i += 2) {
             Ray ray = camera.through(points[i], points[i + 1]);
-            Story story = teller.tell(ray, settings.depth());
-            Colour seen = new Colour(story.colour());
+            Colour seen = new Colour();
+            recorded.trace(ray, seen, settings.depth());
             if (settings.stage().isView()) {
-                rays.intersect(ray, seen, settings.depth(), settings.stage().terms());
+                integrator.trace(ray, seen, settings.depth());
             }
             if (clamped) {
                 seen.clamp();
             }
             colour.add(seen);
-            samples.add(new PixelStory.Sample(points[i], points[i + 1], clamped, seen, story));
+            samples.add(new PixelStory.Sample(points[i], points[i + 1], clamped, seen, recorder.tree()));
         }
         boolean mean = samples.size() > 1;
         if (mean) {

@@ -2,7 +2,7 @@ package simpleray.render;
 
 import java.util.List;
 import simpleray.math.Colour;
-import simpleray.scene.Story;
+import simpleray.scene.RayTree;
 
 /**
  * Why a pixel has its colour. <em>Constant</em>; nothing in it is to be changed.
@@ -24,8 +24,8 @@ public record PixelStory(int x, int y, int width, int height, Stage stage, boole
      * @param py pixels from the top edge
      * @param clamped whether the colour was brought into 0 to 1, as it is where a pixel has several points
      * @param colour the colour that counts: what the ray sees, or in a view what that shows
-     * @param story the ray's story; in a view that of the finished picture
+     * @param tree the ray's tree; in a view that of the finished picture
      */
-    public record Sample(double px, double py, boolean clamped, Colour colour, Story story) {
+    public record Sample(double px, double py, boolean clamped, Colour colour, RayTree tree) {
     }
 }

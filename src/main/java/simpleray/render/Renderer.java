@@ -10,7 +10,6 @@ import simpleray.accel.Engine;
 import simpleray.image.Picture;
 import simpleray.math.Colour;
 import simpleray.scene.Camera;
-import simpleray.scene.RayTracer;
 import simpleray.scene.Scene;
 
 /**
@@ -43,8 +42,6 @@ public final class Renderer {
     private volatile Engine ready;                            // kept for who asks about pixels
     private volatile PassWork passes;                         // null unless it renders in passes
     private boolean paused;
-    private final Object listing = new Object();
-    private Engine listed;
     private IntFunction<double[]> known;                      // null if no row is
     private Work work;
 
@@ -121,8 +118,8 @@ public final class Renderer {
     public Picture render(RenderListener listener) {
         return renderBy(new Consumer<>() {
             @Override
-            public void accept(Engine engine) {
-                work(engine, listener);
+            public void accept(Tracers tracers) {
+                work(tracers, listener);
             }
         });
     }
@@ -153,7 +150,7 @@ public final class Renderer {
         if (cancelled) {                                      // before there was anything to stop
             own.stop();
         }
-        return renderBy(engine -> own.run(many -> new Tracer(many ? listed(engine) : rays(engine), camera, settings), settings.samples()));
+        return renderBy(tracers -> own.run(many -> tracers.tracer(many && !cancelled), settings.samples()));
     }
 
     /**
@@ -168,11 +165,12 @@ public final class Renderer {
         }
     }
 
-    private Picture renderBy(Consumer<Engine> work) {
+    private Picture renderBy(Consumer<Tracers> work) {
         long start = System.nanoTime();
         Engine engine = settings.accel() == Accel.NONE ? null
             : prepared == null ? new Engine(scene, camera.eye(), settings.threads()) : prepared.engine(camera.eye(), settings.threads());
         ready = engine;
+        Tracers tracers = new Tracers(scene, camera, settings, engine);
         long begin = System.nanoTime();
         List<Thread> workers = new ArrayList<>(threads());
         for (int i = 0; i < threads(); i++) {
@@ -180,7 +178,7 @@ public final class Renderer {
                 Thread worker = new Thread(null, new Runnable() {
                     @Override
                     public void run() {
-                        Renderer.this.run(work, engine);
+                        Renderer.this.run(work, tracers);
                     }
                 }, "simpleray-worker-" + (i + 1), STACK);
                 worker.setDaemon(true);
@@ -196,7 +194,7 @@ public final class Renderer {
         for (Thread worker : workers) {
             await(worker);
         }
-        this.work = new Work(engine == null ? null : engine.tally(), Progress.seconds(start, begin),
+        this.work = new Work(tracers.stats(), Progress.seconds(start, begin),
             Progress.seconds(begin, System.nanoTime()));
         if (fault instanceof Error error) {
             throw error;
@@ -245,12 +243,12 @@ public final class Renderer {
      * to begin again for what only the lower rows show. The points are those of Roberts, "The Unreasonable Effectiveness of Quasirandom
      * Sequences", 2018.
      */
-    private void warmUp(Engine engine) {
+    private void warmUp(Tracers tracers) {
         Tracer tracer = null;
         Colour forgotten = new Colour();
         for (int i = 1; i <= WARM_UP && !cancelled; i++) {
-            if (i % WARM_UP_RAYS == 1) {                      // what a new worker does only once is to be seen often
-                tracer = new Tracer(Tracer.rays(scene, engine, settings.stage(), false), camera, settings);
+            if (i % WARM_UP_RAYS == 1) {                      // what a new tracer does only once is to be seen often
+                tracer = tracers.uncounted();
             }
             tracer.trace(region.x() + i * ACROSS % 1 * picture.width(), region.y() + i * DOWN % 1 * picture.height(), forgotten);
         }
@@ -260,32 +258,14 @@ public final class Renderer {
         warm = stage;
     }
 
-    /** {@return what finds the colours of rays, for one thread} */
-    private RayTracer rays(Engine engine) {
-        return Tracer.rays(scene, engine, settings.stage(), true);
-    }
-
-    /** {@return the same, with all that makes many rays faster; the first thread that asks makes it} */
-    private RayTracer listed(Engine engine) {
-        if (engine == null || cancelled) {
-            return rays(engine);
-        }
-        synchronized (listing) {
-            if (listed == null) {
-                listed = engine.listed();
-            }
-            return rays(listed);
-        }
-    }
-
     private Sampler sampler(Tracer tracer) {
         return firstPoints == null ? new GridSampler(tracer, settings.samples())
             : new AdaptiveSampler(tracer, camera.width(), camera.height(), region, firstPoints);
     }
 
-    private void run(Consumer<Engine> work, Engine engine) {
+    private void run(Consumer<Tracers> work, Tracers tracers) {
         try {
-            work.accept(engine);
+            work.accept(tracers);
         } catch (RuntimeException | Error e) {                // reported by render(), after all threads have ended
             if (fault == null) {                              // which takes no memory: there may be none left
                 fault = e;
@@ -294,13 +274,13 @@ public final class Renderer {
         }
     }
 
-    private void work(Engine engine, RenderListener listener) {
+    private void work(Tracers tracers, RenderListener listener) {
         boolean large = (long) picture.width() * picture.height() >= (long) LARGE * threads();
-        if (large && engine != null && warm != settings.stage()) {
-            warmUp(engine);
+        if (large && settings.accel() != Accel.NONE && warm != settings.stage()) {
+            warmUp(tracers);
             noteWarm(settings.stage());
         }
-        Sampler own = sampler(new Tracer(rays(engine), camera, settings));
+        Sampler own = sampler(tracers.tracer(false));
         double[] spare = null;                                // a row that was let go of
         for (int y = rows.next(); y >= 0 && !cancelled; y = rows.next()) {
             double[] kept = known == null ? null : known.apply(y);

@@ -1,6 +1,7 @@
 package simpleray.render;
 
 import java.util.ArrayList;
+import java.util.BitSet;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
@@ -11,17 +12,19 @@ import simpleray.math.Point;
 import simpleray.math.Ray;
 import simpleray.math.Vector;
 import simpleray.scene.Camera;
-import simpleray.scene.Light;
-import simpleray.scene.Material;
+import simpleray.scene.Integrator;
+import simpleray.scene.Interaction;
+import simpleray.scene.Intersector;
 import simpleray.scene.Object;
 import simpleray.scene.Plane;
-import simpleray.scene.RayTracer;
+import simpleray.scene.RayStats;
+import simpleray.scene.Recorder;
 import simpleray.scene.Scene;
 import simpleray.scene.SceneFile;
 import simpleray.scene.Terms;
+import simpleray.scene.VisibilityTester;
+import simpleray.scene.WhittedIntegrator;
 import simpleray.text.Problem;
-import simpleray.text.SceneReader;
-import simpleray.text.SceneWriter;
 
 /**
  * Finds what is odd about a scene's picture: things that make no difference to it, an eye inside something, colours that are cut off,
@@ -32,8 +35,6 @@ public final class SceneWarnings {
     /** Rays from side to side of the picture: as many first, and then so many more if there is something that these did not find. */
     private static final int[] SIDES = {64, 120};
     private static final int MOST_REFLECTIONS = 4;
-    /** What a matt surface shows of a lamp that is not in shadow. */
-    private static final Terms LIT = new Terms(false, true, false, true, false);
     /** Above it a component's level would be above 255. */
     private static final double WHITE = 255.5 / 255;
     private static final double MUCH = 0.01;
@@ -55,12 +56,8 @@ public final class SceneWarnings {
     private final String name;
     private final Camera camera;
     private final List<Problem> problems = new ArrayList<>();
-    private final Witness witness = new Witness(this::lookForLight);
-    private final Lamp lamp = new Lamp();
-    private final Colour light = new Colour();
-    private final boolean[] reaches;
+    private final Seen seen;
     private final double leastClipped;                        // a share of all rays
-    private RayTracer matt;                                   // null if there is no light
     private int rays;
     private int clipped;
     private double brightest;
@@ -73,7 +70,38 @@ public final class SceneWarnings {
         this.name = name;
         scene = file.scene();
         camera = scene.settings.newCamera();
-        reaches = new boolean[scene.getNumberLights()];
+        seen = new Seen(scene.getNumberLights());
+    }
+
+    /** Notes which objects rays hit, at first or after reflections, and which lights reach something there. */
+    private static final class Seen implements Recorder {
+        final BitSet objects = new BitSet();
+        final boolean[] lights;
+        /** The object that the latest ray from the eye hit, if it hit one. */
+        int first;
+
+        private boolean fromEye;
+
+        Seen(int lights) {
+            this.lights = new boolean[lights];
+        }
+
+        @Override
+        public void begin(Ray ray, int depth, int level) {
+            fromEye = level == 0;
+        }
+
+        @Override
+        public void hit(Ray ray, Interaction at) {
+            objects.set(at.place);
+            first = fromEye ? at.place : first;
+        }
+
+        @Override
+        public void light(int number, VisibilityTester visibility, Colour arriving, Vector halfway, double cosine, Colour diffuse,
+                Colour specular) {
+            lights[number] |= !arriving.isBlack();
+        }
     }
 
     /**
@@ -102,8 +130,8 @@ public final class SceneWarnings {
 
     private List<Problem> find() {
         follow();
-        for (int i = 0; i < reaches.length; i++) {
-            if (!reaches[i]) {
+        for (int i = 0; i < seen.lights.length; i++) {
+            if (!seen.lights[i]) {
                 warn(file.lineOfLight(i), "light " + (i + 1) + (scene.getLight(i).intensity.isBlack() ? " is black"
                     : " reaches nothing of what " + rays + " rays saw"));
             }
@@ -135,14 +163,14 @@ public final class SceneWarnings {
     }
 
     private void warnOfUnseen() {
-        int unseen = scene.getNumberObjects() - witness.seen.cardinality();
+        int unseen = scene.getNumberObjects() - seen.objects.cardinality();
         String told = " not seen by any of " + rays + " rays";
-        int i = witness.seen.nextClearBit(0);
+        int i = seen.objects.nextClearBit(0);
         if (unseen > MOST_UNSEEN) {
             warn(file.lineOfObject(i), "object " + (i + 1) + " and " + (unseen - 1) + " others were" + told);
             return;
         }
-        for (; i < scene.getNumberObjects(); i = witness.seen.nextClearBit(i + 1)) {
+        for (; i < scene.getNumberObjects(); i = seen.objects.nextClearBit(i + 1)) {
             warn(file.lineOfObject(i), "object " + (i + 1) + " was" + told);
         }
     }
@@ -152,12 +180,13 @@ public final class SceneWarnings {
     }
 
     private void follow() {
-        RayTracer tracer = watched().worker();
-        matt = reaches.length > 0 ? matt() : null;
+        RayStats uncounted = new RayStats();
+        Intersector intersector = new Engine(scene, camera.eye(), 1).intersector(uncounted);
+        Integrator integrator = new WhittedIntegrator(scene, intersector, Terms.ALL, uncounted, seen);
         for (int side : SIDES) {
-            follow(tracer, side);
-            boolean all = witness.seen.cardinality() == scene.getNumberObjects();
-            for (boolean reached : reaches) {
+            follow(integrator, side);
+            boolean all = seen.objects.cardinality() == scene.getNumberObjects();
+            for (boolean reached : seen.lights) {
                 all &= reached;
             }
             if (all) {
@@ -166,31 +195,14 @@ public final class SceneWarnings {
         }
     }
 
-    private Engine watched() {
-        Scene watched = new Scene();
-        watched.ambient = scene.ambient;
-        watched.settings = scene.settings;
-        watched.setNumberObjects(scene.getNumberObjects());
-        for (int i = 0; i < scene.getNumberObjects(); i++) {
-            watched.setObject(i, witness.watching(i, scene.getObject(i), scene.getObject(i).surfaceMaterial));
-        }
-        watched.setNumberLights(scene.getNumberLights());
-        for (int i = 0; i < scene.getNumberLights(); i++) {
-            watched.setLight(i, scene.getLight(i));
-        }
-        return new Engine(watched, camera.eye(), 1);
-    }
-
-    private void follow(RayTracer tracer, int side) {
+    private void follow(Integrator integrator, int side) {
         int asked = scene.settings.depth == null ? RenderSettings.DEFAULT_DEPTH : scene.settings.depth;
         Colour colour = new Colour();
         for (int j = 0; j < side; j++) {
             for (int i = 0; i < side; i++) {
                 double px = (i + 0.5) / side * camera.width();
                 double py = (j + 0.5) / side * camera.height();
-                witness.first = Witness.NONE;
-                boolean hit = tracer.intersect(camera.through(px, py), colour, Math.min(asked, MOST_REFLECTIONS), Terms.ALL);
-                if (hit) {
+                if (integrator.trace(camera.through(px, py), colour, Math.min(asked, MOST_REFLECTIONS))) {
                     noteBrightness(colour, (int) px, (int) py);
                 }
             }
@@ -204,62 +216,10 @@ public final class SceneWarnings {
             clipped++;
             if (most > brightest) {
                 brightest = most;
-                brightestObject = witness.first;
+                brightestObject = seen.first;
                 where = String.format(Locale.ROOT, "%.2f %.2f %.2f on object %d (column %d, row %d)", colour.r, colour.g, colour.b,
                     brightestObject + 1, x + 1, y + 1);
             }
-        }
-    }
-
-    /** {@return what finds the colours of the scene with white and matt surfaces, lit by one lamp} */
-    private RayTracer matt() {
-        Scene matt = new Scene();
-        Witness nobody = new Witness(ray -> { });
-        matt.setNumberObjects(scene.getNumberObjects());
-        for (int i = 0; i < scene.getNumberObjects(); i++) {
-            Material white = new Material();
-            white.transmission = scene.getObject(i).surfaceMaterial.transmission;
-            matt.setObject(i, nobody.watching(i, scene.getObject(i), white));
-        }
-        matt.setNumberLights(1);
-        matt.setLight(0, lamp);
-        return new Engine(matt, camera.eye(), 1).worker();
-    }
-
-    /** Looks at what a ray sees by the light of each lamp that was not found to reach anything yet. */
-    private void lookForLight(Ray ray) {
-        for (int i = 0; i < reaches.length; i++) {
-            if (!reaches[i]) {
-                lamp.light = scene.getLight(i);
-                lamp.intensity = scene.getLight(i).intensity;
-                matt.intersect(ray, light, 0, LIT);
-                reaches[i] = !light.isBlack();
-            }
-        }
-    }
-
-    /** A light that stands where another does, now this, now that one. */
-    private static final class Lamp extends Light {
-        private Light light;
-
-        @Override
-        public double towards(Point p, Vector l) {
-            return light.towards(p, l);
-        }
-
-        @Override
-        public void print(SceneWriter os) {
-            throw new UnsupportedOperationException();
-        }
-
-        @Override
-        public void read(SceneReader is) {
-            throw new UnsupportedOperationException();
-        }
-
-        @Override
-        public void write(SceneWriter os) {
-            throw new UnsupportedOperationException();
         }
     }
 

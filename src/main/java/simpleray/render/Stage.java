@@ -44,7 +44,7 @@ public enum Stage {
         view = true;
     }
 
-    /** {@return whether it shows something else than light, as a {@link ViewTracer} finds it} */
+    /** {@return whether it shows something else than light, as a {@link ViewIntegrator} finds it} */
     public boolean isView() {
         return view;
     }

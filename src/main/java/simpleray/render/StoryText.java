@@ -10,11 +10,11 @@ import simpleray.math.Colour;
 import simpleray.math.Point;
 import simpleray.math.Vector;
 import simpleray.scene.Material;
-import simpleray.scene.Story;
-import simpleray.scene.Story.Hit;
-import simpleray.scene.Story.Lamp;
-import simpleray.scene.Story.Next;
-import simpleray.scene.Story.Thing;
+import simpleray.scene.RayTree;
+import simpleray.scene.RayTree.Hit;
+import simpleray.scene.RayTree.Lamp;
+import simpleray.scene.RayTree.Next;
+import simpleray.scene.RayTree.Thing;
 
 /** A pixel's story as people read it: lines, each below the one it belongs to. Numbers have six digits. */
 public final class StoryText {
@@ -115,13 +115,13 @@ public final class StoryText {
             if (pixel.stage().isView()) {
                 say("the view " + pixel.stage() + " shows no light; this is the story of stage " + Stage.FINAL);
             }
-            tell(sample.story());
+            tell(sample.tree());
             level--;
         }
         level--;
     }
 
-    private void tell(Story story) {
+    private void tell(RayTree story) {
         say("ray from " + point(story.ray().origin) + " along " + vector(story.ray().direction) + ", depth " + story.depth() + ": "
             + colour(story.colour()));
         level++;
@@ -182,7 +182,7 @@ public final class StoryText {
         if (next != null) {
             say(what + ": " + colour(next.colour()) + ", " + share + ' ' + colour(next.share()));
             level++;
-            tell(next.story());
+            tell(next.tree());
             level--;
         }
     }

@@ -3,33 +3,44 @@ package simpleray.render;
 import simpleray.accel.Engine;
 import simpleray.math.Colour;
 import simpleray.math.Ray;
+import simpleray.scene.BruteForceIntersector;
 import simpleray.scene.Camera;
-import simpleray.scene.Probe;
-import simpleray.scene.RayTracer;
+import simpleray.scene.Integrator;
+import simpleray.scene.Intersector;
+import simpleray.scene.RayStats;
 import simpleray.scene.Scene;
+import simpleray.scene.WhittedIntegrator;
 
 /** Finds the colour at a point of the picture. <em>Mutable</em>: one thread's own. */
 final class Tracer {
-    private final RayTracer rays;
+    private final Integrator integrator;
     private final Camera camera;
     private final RenderSettings settings;
     private final Ray ray = new Ray();
 
     /**
-     * Makes what finds the colours of a stage, for one thread.
+     * Makes what finds hits in a scene, for one thread.
      *
-     * @param engine the scene made ready; null to ask the scene itself
-     * @param counted whether its work counts
+     * @param engine the scene made ready; null to ask all objects in turn
+     * @param stats gets the counts of tests and steps
      */
-    static RayTracer rays(Scene scene, Engine engine, Stage stage, boolean counted) {
-        if (stage.isView()) {
-            return new ViewTracer(stage, scene, engine == null ? Probe.of(scene) : engine.probe(counted));
-        }
-        return engine == null ? scene : counted ? engine.worker() : engine.uncounted();
+    static Intersector intersector(Scene scene, Engine engine, RayStats stats) {
+        return engine == null ? new BruteForceIntersector(scene) : engine.intersector(stats);
     }
 
-    Tracer(RayTracer rays, Camera camera, RenderSettings settings) {
-        this.rays = rays;
+    /**
+     * Makes what finds the colours of a stage, for one thread.
+     *
+     * @param intersector finds hits in this scene
+     * @param stats gets the counts of rays
+     */
+    static Integrator integrator(Scene scene, Intersector intersector, Stage stage, RayStats stats) {
+        return stage.isView() ? new ViewIntegrator(stage, scene, intersector, stats)
+            : new WhittedIntegrator(scene, intersector, stage.terms(), stats, null);
+    }
+
+    Tracer(Integrator integrator, Camera camera, RenderSettings settings) {
+        this.integrator = integrator;
         this.camera = camera;
         this.settings = settings;
     }
@@ -43,6 +54,6 @@ final class Tracer {
      */
     void trace(double px, double py, Colour colour) {
         camera.through(px, py, ray);
-        rays.intersect(ray, colour, settings.depth(), settings.stage().terms());
+        integrator.trace(ray, colour, settings.depth());
     }
 }

@@ -1,13 +1,13 @@
 package simpleray.render;
 
-import simpleray.accel.Tally;
+import simpleray.scene.RayStats;
 
 /**
  * What a rendering did and how long it took. <em>Constant.</em>
  *
- * @param tally the rays and tests; null if they were not counted, as with {@link Accel#NONE}
+ * @param stats the rays and tests; null if they were not counted, as with {@link Accel#NONE}
  * @param readySeconds the time to make the scene ready, in seconds
  * @param renderSeconds the time from then on until all rows were finished
  */
-public record Work(Tally tally, double readySeconds, double renderSeconds) {
+public record Work(RayStats stats, double readySeconds, double renderSeconds) {
 }

@@ -18,7 +18,6 @@ import simpleray.text.SceneWriter;
  * <p>Rays are moved to the mesh, not the mesh to the rays: meshes of one file in a scene share its triangles.
  */
 public final class Mesh extends Object {
-    private static final ThreadLocal<TriangleProbe> PROBES = ThreadLocal.withInitial(TriangleProbe::new);
     /** A share of a coordinate that is larger than a few roundings. */
     private static final double ROUNDINGS = 0x1p-49;
 
@@ -72,18 +71,23 @@ public final class Mesh extends Object {
     /** {@inheritDoc} A ray along a triangle misses it; a hit on an edge or a vertex is one. */
     @Override
     public double intersect(Ray ray) {
-        TriangleProbe probe = probe(ray);
-        return probe.triangle < 0 ? MISS : probe.t;
+        Hit hit = new Hit();
+        intersect(ray, 0, hit);
+        return hit.place == Hit.NONE ? MISS : hit.t;
     }
 
-    /** Finds the nearest triangle along a ray. */
-    private TriangleProbe probe(Ray ray) {
-        TriangleProbe probe = PROBES.get();
+    @Override
+    public void intersect(Ray ray, int place, Hit hit) {
+        TriangleProbe probe = hit.probe();
         Point o = ray.origin;
         Vector d = ray.direction;
         probe.start((o.x - offset.x) / scale, (o.y - offset.y) / scale, (o.z - offset.z) / scale, d.x / scale, d.y / scale, d.z / scale);
         tree.walk(probe);
-        return probe;
+        if (probe.triangle >= 0 && hit.isAfter(probe.t, place)) {
+            hit.set(probe.t, place);
+            hit.part = probe.triangle;
+            System.arraycopy(probe.weights, 0, hit.weights, 0, 3);
+        }
     }
 
     /** {@inheritDoc} It is that of the nearest triangle, as flat as it is. All are looked at: {@link #surface} is the fast way. */
@@ -109,16 +113,18 @@ public final class Mesh extends Object {
         return new Vector(n[0], n[1], n[2]).normalised();
     }
 
-    /** Finds the surface at a hit: the triangle is found again, for one ray finds one triangle however often it looks. */
     @Override
-    public Surface surface(Ray ray, double t, Point point) {
-        TriangleProbe probe = probe(ray);
-        Vector outward = outward(probe.triangle);
+    public void surface(Hit hit, Interaction at) {
         double[] n = new double[3];
-        if (!tree.triangles.interpolate(probe.triangle, probe.weights, n)) {
-            return new Surface(outward, outward);
+        tree.triangles.cross(hit.part, n);
+        at.outward.set(n[0], n[1], n[2]);
+        at.outward.normalise();
+        if (tree.triangles.interpolate(hit.part, hit.weights, n)) {
+            at.normal.set(n[0], n[1], n[2]);
+            at.normal.normalise();
+        } else {
+            at.normal.copy(at.outward);
         }
-        return new Surface(outward, new Vector(n[0], n[1], n[2]).normalised());
     }
 
     @Override

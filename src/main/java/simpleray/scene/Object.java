@@ -36,6 +36,34 @@ public abstract class Object implements SceneElement {
     public abstract double intersect(Ray ray);
 
     /**
+     * Offers the nearest hit of a ray. Any thread may call, each with a hit of its own. An object of many parts may look no farther than what
+     * was found already.
+     *
+     * @param ray the ray; its direction need not be of unit length
+     * @param place the object's place in the scene, from 0
+     * @param hit becomes this object's if that comes before it
+     */
+    public void intersect(Ray ray, int place, Hit hit) {
+        double t = intersect(ray);
+        if (hit.isAfter(t, place)) {
+            hit.set(t, place);
+        }
+    }
+
+    /**
+     * Tells whether a ray hits the object before some distance. Any thread may call.
+     *
+     * @param ray the ray; its direction need not be of unit length
+     * @param distance the distance, in lengths of the ray's direction
+     * @param scratch working space, the calling thread's own
+     * @return whether {@link #intersect(Ray)} finds a hit there
+     */
+    public boolean occludes(Ray ray, double distance, Hit scratch) {
+        double t = intersect(ray);
+        return t >= 0 && t < distance;
+    }
+
+    /**
      * Finds the normal at a point of the surface. Any thread may call.
      *
      * @param pt the point
@@ -53,16 +81,15 @@ public abstract class Object implements SceneElement {
     }
 
     /**
-     * Finds the surface at a hit of a ray. Any thread may call.
+     * Finds the normals at a hit. Any thread may call.
      *
-     * @param ray the ray
-     * @param t what {@link #intersect} returned for it
-     * @param point the point there
-     * @return the surface: its normals, and through them which side the ray comes from
+     * @param hit what {@link #intersect(Ray, int, Hit)} found
+     * @param at its point is where the hit is; gets both normals, of unit length and outward, which are one unless vertex normals make
+     *     facets look round
      */
-    public Surface surface(Ray ray, double t, Point point) {
-        Vector normal = normal(point);
-        return new Surface(normal, normal);
+    public void surface(Hit hit, Interaction at) {
+        at.outward.copy(normal(at.point));
+        at.normal.copy(at.outward);
     }
 
     /**

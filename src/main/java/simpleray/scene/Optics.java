@@ -84,18 +84,4 @@ public final class Optics {
             point.z -= 2 * height * normal.z;
         }
     }
-
-    /**
-     * Finds where {@link #sink} would move a point.
-     *
-     * @param point the point
-     * @param normal the normal along which it was lifted
-     * @param height how far it was lifted
-     * @return a new point
-     */
-    public static Point below(Point point, Vector normal, double height) {
-        Point below = new Point(point);
-        sink(below, normal, height);
-        return below;
-    }
 }

@@ -5,10 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
 import simpleray.math.Colour;
-import simpleray.math.Point;
-import simpleray.math.Powers;
 import simpleray.math.Ray;
-import simpleray.math.Vector;
 import simpleray.text.SceneReader;
 import simpleray.text.SceneWriter;
 
@@ -16,7 +13,7 @@ import simpleray.text.SceneWriter;
  * Objects, lights and ambient light, and the colour that a ray sees among them (thesis, chapters 4 and 5; Whitted, "An improved
  * illumination model for shaded display", 1980). <em>Mutable</em> until it is rendered.
  */
-public final class Scene implements RayTracer {
+public final class Scene {
     /** Reading ends at this many errors. */
     private static final int MOST_ERRORS = 20;
     /** The ambient light that falls on every object alike, GA. */
@@ -129,110 +126,23 @@ public final class Scene implements RayTracer {
         return intersect(ray, colour, depth, Terms.ALL);
     }
 
-    /** {@inheritDoc} Any thread may call. */
-    @Override
-    public boolean intersect(Ray ray, Colour colour, int depth, Terms terms) {
-        colour.reset();
-        Object nearest = null;
-        double distance = Double.POSITIVE_INFINITY;
-        for (Object object : all(objects, numberObjects)) {
-            double t = object.intersect(ray);
-            if (t >= 0 && t < distance) {                     // of two at the same t the first one stays
-                nearest = object;
-                distance = t;
-            }
-        }
-        if (nearest == null) {
-            if (terms.ambient() && settings.background != null) {
-                colour.copy(settings.background);
-            }
-            return false;
-        }
-
-        Material material = nearest.surfaceMaterial;
-        Point point = ray.getPointAt(distance);
-        Surface surface = nearest.surface(ray, distance, point);
-        Vector normal = surface.towards(ray.direction);       // both sides of a surface are lit and mirror alike
-        double height = Optics.lift(point, normal, distance);
-        addLocal(colour, material, point, normal, Vector.negate(ray.direction), terms);
-        int bounces = Math.min(depth, material.reflections());
-        if (terms.reflections() && bounces > 0) {
-            boolean enters = surface.isEnteredBy(ray.direction);
-            Vector bent = new Vector();
-            boolean passes = !material.transmission.isBlack()
-                && Optics.refract(bent, ray.direction, normal, enters ? 1 / material.index : material.index);
-            Colour share = passes ? material.specular : Colour.add(material.specular, material.transmission);
-            Vector mirror = new Vector();
-            Optics.mirror(mirror, ray.direction, normal);
-            addSeen(colour, share, point, mirror, bounces - 1, terms);
-            if (passes) {
-                addSeen(colour, material.transmission, Optics.below(point, normal, height), bent, bounces - 1, terms);
-            }
-        }
-        return true;
-    }
-
-    /** Adds a share of what is seen from a point in a direction. */
-    private void addSeen(Colour colour, Colour share, Point point, Vector direction, int depth, Terms terms) {
-        if (!share.isBlack()) {
-            Colour seen = new Colour();
-            intersect(new Ray(point, direction), seen, depth, terms);
-            seen.mult(share);
-            colour.add(seen);
-        }
-    }
-
     /**
-     * Adds what the lights make of a surface, Ka·GA + Σ LC (Kd (N·L) + Ks (N·H)^shininess) over those it sees (thesis, chapter 4). The
-     * three terms are summed apart, so that pictures of each add up to the picture of all to the last bit.
+     * Finds parts of the colour that a ray sees, by asking all objects in turn. Any thread may call.
+     *
+     * @param ray the ray, of unit direction
+     * @param colour gets the colour, linear and not clamped; the background if nothing is hit
+     * @param depth how many reflections and refractions may follow, 0 or more
+     * @param terms which parts are wanted
+     * @return whether an object is hit
      */
-    private void addLocal(Colour colour, Material material, Point point, Vector normal, Vector view, Terms terms) {
-        Colour diffuse = new Colour();
-        Colour specular = new Colour();
-        Vector towards = new Vector();
-        for (Light lamp : all(lights, numberLights)) {
-            double distance = lamp.towards(point, towards);
-            double facing = normal.dot(towards);
-            if (facing <= 0) {
-                continue;
-            }
-            Colour light = terms.shadows() ? reaching(lamp, new Ray(point, towards), distance) : lamp.intensity;
-            if (light.isBlack()) {
-                continue;
-            }
-            if (terms.diffuse()) {
-                Colour scattered = Colour.mult(material.diffuse, light);
-                scattered.scale(facing);
-                diffuse.add(scattered);
-            }
-            if (terms.specular() && !material.specular.isBlack()) {
-                Vector halfway = Vector.add(towards, view);
-                halfway.normalise();
-                Colour highlight = Colour.mult(material.specular, light);
-                highlight.scale(Powers.power(Math.min(1, Math.max(0, normal.dot(halfway))), material.shininess));
-                specular.add(highlight);
-            }
-        }
-        if (terms.ambient()) {
-            colour.add(Colour.mult(material.ambient, ambient));
-        }
-        colour.add(diffuse);
-        colour.add(specular);
+    public boolean intersect(Ray ray, Colour colour, int depth, Terms terms) {
+        return new WhittedIntegrator(this, new BruteForceIntersector(this), terms, new RayStats(), null).trace(ray, colour, depth);
     }
 
-    /** Finds what is left of a light at this distance: each object on the way dims it by its Kt, and most let nothing through. */
-    private Colour reaching(Light lamp, Ray towards, double distance) {
-        Colour left = new Colour(lamp.intensity);
-        for (Object object : all(objects, numberObjects)) {
-            double t = object.intersect(towards);
-            if (t >= 0 && t < distance) {
-                left.mult(object.surfaceMaterial.transmission);
-                if (left.isBlack()) {
-                    break;
-                }
-            }
-        }
-        return left;
+    /** Throws unless all objects and lights are set: a picture without them would be a wrong one. */
+    void requireComplete() {
+        all(objects, numberObjects);
+        all(lights, numberLights);
     }
 
     /**

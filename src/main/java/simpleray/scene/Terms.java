@@ -12,4 +12,9 @@ package simpleray.scene;
 public record Terms(boolean ambient, boolean diffuse, boolean specular, boolean shadows, boolean reflections) {
     /** The finished picture. */
     public static final Terms ALL = new Terms(true, true, true, true, true);
+
+    /** {@return whether any of the lights' terms is wanted} */
+    boolean lights() {
+        return diffuse || specular;
+    }
 }

@@ -23,7 +23,7 @@ import simpleray.render.Explainer;
 import simpleray.render.PixelStory;
 import simpleray.render.Progress;
 import simpleray.render.StoryText;
-import simpleray.scene.Story;
+import simpleray.scene.RayTree;
 
 /**
  * Tells about single pixels: in the status bar of the one under the mouse, in a pane of the one that was clicked or that the pixel cursor
@@ -263,7 +263,7 @@ final class Inspector {
         Rendering rendering = shown;
         submit(() -> {
             try {
-                Story.Thing thing = explainer(rendering).objectAt(pixel.x, pixel.y);
+                RayTree.Thing thing = explainer(rendering).objectAt(pixel.x, pixel.y);
                 SwingUtilities.invokeLater(() -> answer(pixel, rendering, thing));
             } catch (RuntimeException | Error e) {            // the line stays without the object
                 SwingUtilities.invokeLater(() -> asking = false);
@@ -271,7 +271,7 @@ final class Inspector {
         });
     }
 
-    private void answer(Point pixel, Rendering rendering, Story.Thing thing) {
+    private void answer(Point pixel, Rendering rendering, RayTree.Thing thing) {
         asking = false;
         Point wanted = hovered != null ? hovered : cursor;
         if (rendering != shown || !pixel.equals(wanted)) {

@@ -12,10 +12,12 @@ import simpleray.math.Colour;
 import simpleray.math.Point;
 import simpleray.math.Ray;
 import simpleray.math.Vector;
-import simpleray.scene.RayTracer;
+import simpleray.scene.Integrator;
+import simpleray.scene.RayStats;
 import simpleray.scene.Scene;
 import simpleray.scene.SimpleCamera;
 import simpleray.scene.Terms;
+import simpleray.scene.WhittedIntegrator;
 
 /** The engine's colours are the thesis's loop's, bit for bit. */
 class EngineTest {
@@ -38,20 +40,25 @@ class EngineTest {
             if (i % 3 == 0) {
                 camera.setCOP(Math.pow(10, i % 7));
             }
-            RayTracer worker = new Engine(scene, camera.ray(0, 0).origin, 1, kind, i % 2 == 0).worker();
+            Integrator accelerated = accelerated(scene, new Engine(scene, camera.ray(0, 0).origin, 1, kind, i % 2 == 0));
             for (int p = 0; p < SIDE * SIDE; p++) {
-                lit += same(scene, worker, camera.ray(p % SIDE, p / SIDE),
+                lit += same(scene, accelerated, camera.ray(p % SIDE, p / SIDE),
                     "seed " + (SEED + kind.ordinal()) + ", scene " + i + ", pixel " + p);
             }
         }
         assertThat(lit).as("rays that hit something").isGreaterThan(SCENES * SIDE);
     }
 
-    private static int same(Scene scene, RayTracer worker, Ray ray, String where) {
+    private static Integrator accelerated(Scene scene, Engine engine) {
+        RayStats stats = new RayStats();
+        return new WhittedIntegrator(scene, engine.intersector(stats), Terms.ALL, stats, null);
+    }
+
+    private static int same(Scene scene, Integrator accelerated, Ray ray, String where) {
         Colour expected = new Colour();
         Colour actual = new Colour();
         boolean hit = scene.intersect(ray, expected, DEPTH, Terms.ALL);
-        assertThat(worker.intersect(ray, actual, DEPTH, Terms.ALL)).as(where).isEqualTo(hit);
+        assertThat(accelerated.trace(ray, actual, DEPTH)).as(where).isEqualTo(hit);
         if (expected.r != actual.r || expected.g != actual.g || expected.b != actual.b) {
             assertThat(actual).as(where).hasToString(expected.toString());
         }
@@ -65,7 +72,7 @@ class EngineTest {
         for (int i = 0; i < 600; i++) {
             Scene scene = scenes.next(60);
             Engine.Kind kind = Engine.Kind.values()[i % 3];
-            RayTracer worker = new Engine(scene, new Point(), 1, kind, true).worker();
+            Integrator accelerated = accelerated(scene, new Engine(scene, new Point(), 1, kind, true));
             for (int k = 0; k < 40; k++) {
                 double far = Math.pow(10, random.nextInt(12) - 3);
                 Vector from = new Vector(random.nextGaussian(), random.nextGaussian(), random.nextGaussian());
@@ -76,7 +83,7 @@ class EngineTest {
                 if (k % 5 == 0) {
                     to = new Vector(k % 3 == 0 ? 1 : 0, k % 3 == 1 ? -1 : 0, k % 3 == 2 ? 1 : 0);
                 }
-                same(scene, worker, new Ray(new Point(far * from.x, far * from.y, far * from.z), to),
+                same(scene, accelerated, new Ray(new Point(far * from.x, far * from.y, far * from.z), to),
                     "seed " + SEED + ", scene " + i + ", ray " + k);
             }
         }

@@ -18,11 +18,11 @@ import simpleray.Project;
 import simpleray.RandomScenes;
 import simpleray.image.Picture;
 import simpleray.math.Colour;
+import simpleray.scene.RayTree;
 import simpleray.scene.Scene;
 import simpleray.scene.SceneFile;
 import simpleray.scene.SceneSettings;
 import simpleray.scene.SimpleCamera;
-import simpleray.scene.Story;
 
 /** Stories of pixels: their terms add up to the picture's colours, bit for bit. */
 class ExplainerTest {
@@ -103,7 +103,7 @@ class ExplainerTest {
                 StorySums.assertSame(where, story.colour(), pixel(picture, p % SIDE, p / SIDE));
                 assertThat(story.stage()).isEqualTo(stage);
                 if (!stage.isView()) {
-                    StorySums.assertSame(where, story.samples().get(0).story().colour(), story.colour());
+                    StorySums.assertSame(where, story.samples().get(0).tree().colour(), story.colour());
                 }
             }
         }
@@ -123,7 +123,7 @@ class ExplainerTest {
                 PixelStory story = explainer.story(p % SIDE, p / SIDE);
                 Colour mean = new Colour();
                 for (PixelStory.Sample sample : story.samples()) {
-                    Colour seen = new Colour(sample.story().colour());
+                    Colour seen = new Colour(sample.tree().colour());
                     seen.clamp();
                     StorySums.assertSame("a sample", sample.colour(), seen);
                     assertThat(sample.clamped()).isTrue();
@@ -158,15 +158,16 @@ class ExplainerTest {
             0  1 1 1  0 9 -1
             1  1 0 0  0 1 0
             """);
-        Story story = explainer(scene, 3, Stage.FINAL, 10).story(1, 2).samples().get(0).story();
+        RayTree story = explainer(scene, 3, Stage.FINAL, 10).story(1, 2).samples().get(0).tree();
 
-        assertThat(story.hit().object()).isEqualTo(new Story.Thing(1, "plane", 3));
+        assertThat(story.hit().object()).isEqualTo(new RayTree.Thing(1, "plane", 3));
         assertThat(story.hit().ambient()).hasToString(new Colour(0.1, 0.1, 0.1).toString());
-        assertThat(story.hit().lamps()).extracting(Story.Lamp::light).containsExactly(new Story.Thing(1, "point light", 10),
-            new Story.Thing(2, "directional light", 11));
-        assertThat(story.hit().lamps()).extracting(Story.Lamp::verdict).containsExactly(Story.Verdict.BLOCKED, Story.Verdict.TURNED_AWAY);
-        assertThat(story.hit().lamps().get(0).between()).extracting(Story.Between::object)
-            .containsExactly(new Story.Thing(2, "sphere", 4));
+        assertThat(story.hit().lamps()).extracting(RayTree.Lamp::light).containsExactly(new RayTree.Thing(1, "point light", 10),
+            new RayTree.Thing(2, "directional light", 11));
+        assertThat(story.hit().lamps()).extracting(RayTree.Lamp::verdict)
+            .containsExactly(RayTree.Verdict.BLOCKED, RayTree.Verdict.TURNED_AWAY);
+        assertThat(story.hit().lamps().get(0).between()).extracting(RayTree.Between::object)
+            .containsExactly(new RayTree.Thing(2, "sphere", 4));
         assertThat(story.hit().lamps().get(1).between()).isEmpty();
     }
 
@@ -179,18 +180,18 @@ class ExplainerTest {
             0 0 0  1
             0  1 0.5 1  0 9 -1
             """);
-        Story.Lamp lamp = explainer(scene, 3, Stage.FINAL, 10).story(1, 2).samples().get(0).story().hit().lamps().get(0);
+        RayTree.Lamp lamp = explainer(scene, 3, Stage.FINAL, 10).story(1, 2).samples().get(0).tree().hit().lamps().get(0);
 
-        assertThat(lamp.verdict()).isEqualTo(Story.Verdict.DIMMED);
+        assertThat(lamp.verdict()).isEqualTo(RayTree.Verdict.DIMMED);
         assertThat(lamp.arriving()).hasToString(new Colour(0.5, 0.5, 0.25).toString());
-        assertThat(lamp.between().get(0).object()).isEqualTo(new Story.Thing(2, "triangle", 3));
+        assertThat(lamp.between().get(0).object()).isEqualTo(new RayTree.Thing(2, "triangle", 3));
     }
 
     @Test
     void whereNothingIsHitTheStoryIsTheBackground() throws IOException {
         PixelStory story = explainer(scene("0  1 1 1  0\nbackground 0.25 0.5 1"), 3, Stage.FINAL, 10).story(0, 0);
 
-        assertThat(story.samples().get(0).story().hit()).isNull();
+        assertThat(story.samples().get(0).tree().hit()).isNull();
         assertThat(story.colour()).hasToString(new Colour(0.25, 0.5, 1).toString());
         assertThat(explainer(scene("0  1 1 1  0\nbackground 0.25 0.5 1"), 3, Stage.DIFFUSE, 10).story(0, 0).colour().isBlack()).isTrue();
     }
@@ -199,7 +200,7 @@ class ExplainerTest {
     void theObjectAtAPixelIsTheOneAtItsCentre() throws IOException {
         Explainer explainer = explainer(scene("1  0 0 0 0 0.5  1 1 1  0 0 0  0 0 0  1   1 1 1  0"), 3, Stage.FINAL, 10);
 
-        assertThat(explainer.objectAt(1, 1)).isEqualTo(new Story.Thing(1, "sphere", 1));
+        assertThat(explainer.objectAt(1, 1)).isEqualTo(new RayTree.Thing(1, "sphere", 1));
         assertThat(explainer.objectAt(0, 0)).isNull();
     }
 
@@ -228,10 +229,10 @@ class ExplainerTest {
             for (int x = 0; x < picture.width(); x += step) {
                 PixelStory story = explainer.story(x, y);
                 String pixel = where + ", pixel " + x + ',' + y;
-                sums.check(story.samples().get(0).story(), pixel);
+                sums.check(story.samples().get(0).tree(), pixel);
                 assertThat(story.samples()).hasSize(1);
                 StorySums.assertSame(pixel, story.colour(), pixel(picture, x, y));
-                StorySums.assertSame(pixel, story.samples().get(0).story().colour(), story.colour());
+                StorySums.assertSame(pixel, story.samples().get(0).tree().colour(), story.colour());
             }
         }
     }

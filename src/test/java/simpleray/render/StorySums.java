@@ -3,12 +3,12 @@ package simpleray.render;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import simpleray.math.Colour;
-import simpleray.scene.Story;
-import simpleray.scene.Story.Between;
-import simpleray.scene.Story.Hit;
-import simpleray.scene.Story.Lamp;
-import simpleray.scene.Story.Next;
-import simpleray.scene.Story.Verdict;
+import simpleray.scene.RayTree;
+import simpleray.scene.RayTree.Between;
+import simpleray.scene.RayTree.Hit;
+import simpleray.scene.RayTree.Lamp;
+import simpleray.scene.RayTree.Next;
+import simpleray.scene.RayTree.Verdict;
 
 /** Adds the terms of stories again, from nothing but what the stories tell, and holds the sums to what they say, bit for bit. */
 final class StorySums {
@@ -21,7 +21,7 @@ final class StorySums {
     int mirrored;
     int refracted;
 
-    void check(Story story, String where) {
+    void check(RayTree story, String where) {
         if (story.hit() == null) {
             return;
         }
@@ -49,9 +49,9 @@ final class StorySums {
         if (next == null) {
             return 0;
         }
-        assertSame(where, next.colour(), Colour.mult(next.story().colour(), next.share()));
+        assertSame(where, next.colour(), Colour.mult(next.tree().colour(), next.share()));
         sum.add(next.colour());
-        check(next.story(), where);
+        check(next.tree(), where);
         return 1;
     }
 

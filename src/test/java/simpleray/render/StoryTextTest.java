@@ -8,9 +8,9 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import simpleray.math.Colour;
 import simpleray.math.Ray;
+import simpleray.scene.RayTree;
 import simpleray.scene.Scene;
 import simpleray.scene.SimpleCamera;
-import simpleray.scene.Story;
 
 /** A story in words: numbers that can be checked by hand. */
 class StoryTextTest {
@@ -133,7 +133,7 @@ class StoryTextTest {
     @Test
     void whatIsNotToldSaysSoAndNumbersHaveSixDigits() {
         Colour odd = new Colour(1.0 / 3, 1e-7, 12345678901.0);
-        Story story = new Story(new Ray(), 4, false, null, odd);
+        RayTree story = new RayTree(new Ray(), 4, false, null, odd);
 
         assertThat(StoryText.of(new PixelStory(1, 2, 3, 4, Stage.FINAL, false,
             List.of(new PixelStory.Sample(1.5, Double.POSITIVE_INFINITY, false, odd, story)), odd))).isEqualTo("""

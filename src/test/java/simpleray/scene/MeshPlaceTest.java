@@ -65,8 +65,12 @@ class MeshPlaceTest {
         assertThat(mesh.intersect(new Ray(new Point(104, 206, 400), new Vector(0, 0, -1)))).isEqualTo(94, within(ROUNDING));
         assertThat(mesh.intersect(new Ray(new Point(120, 202, 324), new Vector(-2, 0, 0)))).isEqualTo(3, within(ROUNDING));
         assertThat(mesh.intersect(new Ray(new Point(104, 100, 306), new Vector(0, 1, 0)))).as("along its plane").isEqualTo(Object.MISS);
-        assertThat(mesh.surface(new Ray(new Point(120, 202, 324), new Vector(-1, 0, 0)), 6, new Point()).outward())
-            .hasToString("[1.0,0.0,0.0]");
+        Ray ray = new Ray(new Point(120, 202, 324), new Vector(-1, 0, 0));
+        Hit hit = new Hit();
+        mesh.intersect(ray, 0, hit);
+        Interaction at = new Interaction();
+        at.set(ray, hit, mesh);
+        assertThat(at.outward).hasToString("[1.0,0.0,0.0]");
     }
 
     @ParameterizedTest

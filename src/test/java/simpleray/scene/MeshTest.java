@@ -112,10 +112,10 @@ class MeshTest {
 
     @Test
     void aRayEntersAndLeavesACube() throws IOException {
-        Surface front = surface(cube(), ray(0.25, 0.5, 5, 0, 0, -1));
-        assertNormal(front.outward(), 0.0, 0.0, 1.0);
-        assertThat(front.isEnteredBy(new Vector(0, 0, -1))).isTrue();
-        assertThat(surface(cube(), ray(0.25, 0.5, 0, 0, 0, -1)).isEnteredBy(new Vector(0, 0, -1))).isFalse();
+        Interaction front = surface(cube(), ray(0.25, 0.5, 5, 0, 0, -1));
+        assertNormal(front.outward, 0.0, 0.0, 1.0);
+        assertThat(front.enters).isTrue();
+        assertThat(surface(cube(), ray(0.25, 0.5, 0, 0, 0, -1)).enters).isFalse();
     }
 
     @Test
@@ -125,10 +125,10 @@ class MeshTest {
         Mesh mesh = mesh("v 0 0 1\nv 1 0 1\nv 0 1 1\nf 1 2 3", new Point(), -2);
         Ray ray = ray(-0.5, -0.5, 3, 0, 0, -1);
         assertThat(mesh.intersect(ray)).isEqualTo(5);
-        assertNormal(surface(mesh, ray).outward(), 0.0, 0.0, 1.0);
+        assertNormal(surface(mesh, ray).outward, 0.0, 0.0, 1.0);
 
         Ray towardsCube = ray(0.25, 0.5, 5, 0, 0, -1);
-        assertThat(surface(mesh(CUBE, new Point(), -1), towardsCube).isEnteredBy(towardsCube.direction)).isFalse();
+        assertThat(surface(mesh(CUBE, new Point(), -1), towardsCube).enters).isFalse();
     }
 
     @Test
@@ -160,16 +160,16 @@ class MeshTest {
             vn 0 0 1
             f 1//1 2//2 3//3
             """, new Point(), 1);
-        Surface middle = surface(mesh, ray(1, 0, 1, 0, 0, -1));
-        assertThat(middle.shading().x).isEqualTo(0, within(ROUNDING));
-        assertThat(middle.shading().z).isEqualTo(1, within(ROUNDING));
-        Surface left = surface(mesh, ray(0, 0, 1, 0, 0, -1));
-        assertThat(left.shading().x).isEqualTo(0.6, within(ROUNDING));
-        assertNormal(left.outward(), 0.0, 0.0, 1.0);
+        Interaction middle = surface(mesh, ray(1, 0, 1, 0, 0, -1));
+        assertThat(middle.normal.x).isEqualTo(0, within(ROUNDING));
+        assertThat(middle.normal.z).isEqualTo(1, within(ROUNDING));
+        Interaction left = surface(mesh, ray(0, 0, 1, 0, 0, -1));
+        assertThat(left.normal.x).isEqualTo(0.6, within(ROUNDING));
+        assertNormal(left.outward, 0.0, 0.0, 1.0);
         // a quarter of the way: 3/4 (0.6,0,0.8) + 1/4 (-0.6,0,0.8) = (0.3,0,0.8)
-        Surface quarter = surface(mesh, ray(0.5, 0, 1, 0, 0, -1));
-        assertThat(quarter.shading().x).isEqualTo(0.3 / Math.sqrt(0.73), within(ROUNDING));
-        assertThat(quarter.shading().dot(quarter.shading())).isEqualTo(1, within(ROUNDING));
+        Interaction quarter = surface(mesh, ray(0.5, 0, 1, 0, 0, -1));
+        assertThat(quarter.normal.x).isEqualTo(0.3 / Math.sqrt(0.73), within(ROUNDING));
+        assertThat(quarter.normal.dot(quarter.normal)).isEqualTo(1, within(ROUNDING));
     }
 
     @Test
@@ -188,16 +188,16 @@ class MeshTest {
             f 4//1 5//2 6//3
             f 4//3 5//3 6//3
             """, new Point(), 1);
-        assertNormal(surface(mesh, ray(0.5, 0.5, 1, 0, 0, -1)).shading(), 0.0, 0.0, 1.0);
-        assertNormal(surface(mesh, ray(1, 0, -0.5, 0, 0, -1)).shading(), 0.0, 0.0, 1.0);
+        assertNormal(surface(mesh, ray(0.5, 0.5, 1, 0, 0, -1)).normal, 0.0, 0.0, 1.0);
+        assertNormal(surface(mesh, ray(1, 0, -0.5, 0, 0, -1)).normal, 0.0, 0.0, 1.0);
     }
 
     @Test
     void ofTwoTrianglesAtTheSameDistanceTheFirstWins() throws IOException {
         String vertices = "v 0 0 0\nv 2 0 0\nv 0 2 0\n";
         Ray ray = ray(0.5, 0.5, 1, 0, 0, -1);
-        assertThat(surface(mesh(vertices + "f 1 2 3\nf 1 3 2\n", new Point(), 1), ray).outward().z).isEqualTo(1);
-        assertThat(surface(mesh(vertices + "f 1 3 2\nf 1 2 3\n", new Point(), 1), ray).outward().z).isEqualTo(-1);
+        assertThat(surface(mesh(vertices + "f 1 2 3\nf 1 3 2\n", new Point(), 1), ray).outward.z).isEqualTo(1);
+        assertThat(surface(mesh(vertices + "f 1 3 2\nf 1 2 3\n", new Point(), 1), ray).outward.z).isEqualTo(-1);
     }
 
     @ParameterizedTest
@@ -224,8 +224,11 @@ class MeshTest {
         assertThat(normal.x == x && normal.y == y && normal.z == z).as(normal.toString()).isTrue();   // -0 is 0
     }
 
-    private static Surface surface(Mesh mesh, Ray ray) {
-        double t = mesh.intersect(ray);
-        return mesh.surface(ray, t, ray.getPointAt(t));
+    private static Interaction surface(Mesh mesh, Ray ray) {
+        Hit hit = new Hit();
+        mesh.intersect(ray, 0, hit);
+        Interaction at = new Interaction();
+        at.set(ray, hit, mesh);
+        return at;
     }
 }

@@ -49,8 +49,8 @@ class SceneLinesTest {
         scene.setNumberObjects(2);
         scene.setObject(1, new Nothing());
 
-        assertThat(Storyteller.object(scene, 0)).isEqualTo(new Story.Thing(1, "plane", 2));
-        assertThat(Storyteller.object(scene, 1)).isEqualTo(new Story.Thing(2, "Nothing", 0));
+        assertThat(RayTreeRecorder.object(scene, 0)).isEqualTo(new RayTree.Thing(1, "plane", 2));
+        assertThat(RayTreeRecorder.object(scene, 1)).isEqualTo(new RayTree.Thing(2, "Nothing", 0));
     }
 
     /** An object that no scene file knows. */

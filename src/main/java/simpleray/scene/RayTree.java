@@ -7,16 +7,16 @@ import simpleray.math.Ray;
 import simpleray.math.Vector;
 
 /**
- * Why a ray sees the colour it sees: its hit, the terms there, and the stories of the rays that go on from it. <em>Constant</em>; nothing
+ * Why a ray sees the colour it sees: its hit, the terms there, and the trees of the rays that go on from it. <em>Constant</em>; nothing
  * in it is to be changed. The terms add up to the colour to the last bit, in this order: ambient, diffuse, specular, mirror, refracted.
  *
  * @param ray the ray
  * @param depth how many reflections and refractions may follow
- * @param told whether the rest is told; past {@link Storyteller#MOST_RAYS} rays of one pixel only colours are
+ * @param told whether the rest is told; past {@link RayTreeRecorder#MAX_RAYS} rays of one pixel only colours are
  * @param hit what it hits; null if nothing, and if it is not told
  * @param colour what it sees, linear and not clamped
  */
-public record Story(Ray ray, int depth, boolean told, Hit hit, Colour colour) {
+public record RayTree(Ray ray, int depth, boolean told, Hit hit, Colour colour) {
     /** Which mutual position of a light and a surface lets how much of it come. */
     public enum Verdict {
         /** The surface is turned away from it: N.L is 0 or less. No shadow ray is sent. */
@@ -96,8 +96,8 @@ public record Story(Ray ray, int depth, boolean told, Hit hit, Colour colour) {
      *
      * @param share how much of it counts: Ks or Kt, or Ks + Kt at total internal reflection
      * @param colour what is added: the share of what it sees
-     * @param story its own story
+     * @param tree its own tree
      */
-    public record Next(Colour share, Colour colour, Story story) {
+    public record Next(Colour share, Colour colour, RayTree tree) {
     }
 }

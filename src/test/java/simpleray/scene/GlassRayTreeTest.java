@@ -15,12 +15,12 @@ import simpleray.math.Colour;
 import simpleray.math.Point;
 import simpleray.math.Ray;
 import simpleray.math.Vector;
-import simpleray.scene.Story.Between;
-import simpleray.scene.Story.Lamp;
-import simpleray.scene.Story.Verdict;
+import simpleray.scene.RayTree.Between;
+import simpleray.scene.RayTree.Lamp;
+import simpleray.scene.RayTree.Verdict;
 
-/** Stories of glass, of tinted shadows and of lamps. */
-class GlassStoryTest {
+/** Ray trees of glass, of tinted shadows and of lamps. */
+class GlassRayTreeTest {
     private static final int DEPTH = 5;
 
     private static Material glass(Colour tint, double index) {
@@ -42,16 +42,18 @@ class GlassStoryTest {
         return scene;
     }
 
-    private static Story story(Scene scene, Ray ray, int depth, Terms terms) {
-        return new Storyteller(scene, Probe.of(scene), terms).tell(ray, depth);
+    private static RayTree tree(Scene scene, Ray ray, int depth, Terms terms) {
+        RayTreeRecorder recorder = new RayTreeRecorder(scene);
+        new WhittedIntegrator(scene, new BruteForceIntersector(scene), terms, new RayStats(), recorder).trace(ray, new Colour(), depth);
+        return recorder.tree();
     }
 
     private static Lamp lamp(Scene scene, int i) {
-        return story(scene, Scenes.ahead(), 0, Terms.ALL).hit().lamps().get(i);
+        return tree(scene, Scenes.ahead(), 0, Terms.ALL).hit().lamps().get(i);
     }
 
     @Test
-    void theStorysColourIsThatOfThePictureToTheLastBit() {
+    void theTreesColourIsThatOfThePictureToTheLastBit() {
         Scene scene = room();
         Random random = new Random(1980);
         List<Terms> stages = List.of(Terms.ALL, new Terms(true, false, false, true, true), new Terms(false, true, false, true, true),
@@ -63,40 +65,40 @@ class GlassStoryTest {
             Colour seen = new Colour();
             scene.intersect(ray, seen, DEPTH, terms);
 
-            assertThat(story(scene, ray, DEPTH, terms).colour()).as(direction + " " + terms).hasToString(seen.toString());
+            assertThat(tree(scene, ray, DEPTH, terms).colour()).as(direction + " " + terms).hasToString(seen.toString());
         }
     }
 
     @Test
     void aHitsPartsAddUpToItsColour() {
-        Story story = story(room(), ray(-1, 0, 5, 0, 0, -1), DEPTH, Terms.ALL);
-        Story.Hit hit = story.hit();
+        RayTree tree = tree(room(), ray(-1, 0, 5, 0, 0, -1), DEPTH, Terms.ALL);
+        RayTree.Hit hit = tree.hit();
         Colour sum = new Colour(hit.ambient());
         sum.add(hit.diffuse());
         sum.add(hit.specular());
         sum.add(hit.mirror().colour());
         sum.add(hit.refracted().colour());
 
-        assertThat(story.colour()).hasToString(sum.toString());
-        assertThat(hit.object()).isEqualTo(new Story.Thing(2, "sphere", 0));
+        assertThat(tree.colour()).hasToString(sum.toString());
+        assertThat(hit.object()).isEqualTo(new RayTree.Thing(2, "sphere", 0));
         assertThat(hit.enters()).isTrue();
         assertThat(hit.mirror().share()).hasToString("(0.3,0.2,0.1)");
         assertThat(hit.refracted().share()).hasToString("(0.9,0.5,0.25)");
-        assertThat(hit.refracted().story().depth()).isEqualTo(DEPTH - 1);
-        assertThat(hit.refracted().story().ray().direction).hasToString("[0.0,0.0,-1.0]");
-        assertThat(hit.refracted().story().hit().enters()).as("behind it the ray leaves the ball").isFalse();
+        assertThat(hit.refracted().tree().depth()).isEqualTo(DEPTH - 1);
+        assertThat(hit.refracted().tree().ray().direction).hasToString("[0.0,0.0,-1.0]");
+        assertThat(hit.refracted().tree().hit().enters()).as("behind it the ray leaves the ball").isFalse();
     }
 
     /** From (0,0,0.5) in glass of index 2, a ray at 0.6 aside is beyond the critical angle of sine 0.5. */
     @Test
     void atTotalReflectionTheMirrorCarriesBothShares() {
         Scene scene = Scenes.of(wall(glass(new Colour(0.5, 0.25, 0), 2), 0));
-        Story.Hit hit = story(scene, ray(0, 0, -4, 0.6, 0, 0.8), 1, Terms.ALL).hit();
+        RayTree.Hit hit = tree(scene, ray(0, 0, -4, 0.6, 0, 0.8), 1, Terms.ALL).hit();
 
         assertThat(hit.enters()).isFalse();
         assertThat(hit.refracted()).isNull();
         assertThat(hit.mirror().share()).hasToString("(0.8,0.45,0.1)");
-        assertThat(hit.mirror().story().ray().direction).hasToString("[0.6,0.0,-0.8]");
+        assertThat(hit.mirror().tree().ray().direction).hasToString("[0.6,0.0,-0.8]");
     }
 
     @Test
@@ -105,7 +107,7 @@ class GlassStoryTest {
         Scenes.light(scene, Scenes.pointLight(3, 0, 4));
         Lamp lamp = lamp(scene, 0);
 
-        assertThat(lamp.light()).isEqualTo(new Story.Thing(1, "point light", 0));
+        assertThat(lamp.light()).isEqualTo(new RayTree.Thing(1, "point light", 0));
         assertThat(lamp.verdict()).isEqualTo(Verdict.REACHES);
         assertThat(lamp.distance()).isEqualTo(5);
         assertThat(lamp.between()).isEmpty();
@@ -125,14 +127,14 @@ class GlassStoryTest {
 
         Lamp dimmed = lamp(dim, 0);
         assertThat(dimmed.verdict()).isEqualTo(Verdict.DIMMED);
-        assertThat(dimmed.between()).extracting(Between::object).containsExactly(new Story.Thing(2, "sphere", 0),
-            new Story.Thing(3, "sphere", 0));
+        assertThat(dimmed.between()).extracting(Between::object).containsExactly(new RayTree.Thing(2, "sphere", 0),
+            new RayTree.Thing(3, "sphere", 0));
         assertThat(dimmed.arriving()).hasToString("(0.5,0.25,0.5)");
 
         Lamp blocked = lamp(dark, 0);
         assertThat(blocked.verdict()).isEqualTo(Verdict.BLOCKED);
         assertThat(blocked.between()).as("up to the one that blocks").extracting(Between::object)
-            .containsExactly(new Story.Thing(2, "sphere", 0), new Story.Thing(3, "plane", 0));
+            .containsExactly(new RayTree.Thing(2, "sphere", 0), new RayTree.Thing(3, "plane", 0));
         assertThat(blocked.arriving().isBlack()).isTrue();
         assertThat(blocked.diffuse().isBlack()).isTrue();
     }
@@ -153,37 +155,42 @@ class GlassStoryTest {
         Scene scene = room();
         Ray up = ray(0, 0, 5, 0, 0, 1);
 
-        assertThat(story(scene, up, 1, Terms.ALL).colour()).hasToString("(0.05,0.06,0.07)");
-        assertThat(story(scene, up, 1, Terms.ALL).hit()).isNull();
-        assertThat(story(scene, up, 1, new Terms(false, true, true, true, true)).colour().isBlack()).isTrue();
+        assertThat(tree(scene, up, 1, Terms.ALL).colour()).hasToString("(0.05,0.06,0.07)");
+        assertThat(tree(scene, up, 1, Terms.ALL).hit()).isNull();
+        assertThat(tree(scene, up, 1, new Terms(false, true, true, true, true)).colour().isBlack()).isTrue();
         scene.settings.background = null;
-        assertThat(story(scene, up, 1, Terms.ALL).colour().isBlack()).isTrue();
+        assertThat(tree(scene, up, 1, Terms.ALL).colour().isBlack()).isTrue();
     }
 
     @Test
-    void anInterruptedThreadTellsNoStory() {
+    void anInterruptedThreadRecordsNoTree() {
         Thread.currentThread().interrupt();
         try {
-            assertThatThrownBy(() -> story(room(), Scenes.ahead(), 1, Terms.ALL)).isInstanceOf(CancellationException.class)
+            assertThatThrownBy(() -> tree(room(), Scenes.ahead(), 1, Terms.ALL)).isInstanceOf(CancellationException.class)
                 .hasMessage("the story was cancelled");
         } finally {
             assertThat(Thread.interrupted()).isTrue();
         }
     }
 
+    /** Index 1 and Kt 1: the light comes whole, and yet the ball is between. */
     @Test
-    void aProbeDimsLightByWhatIsBetween() {
-        Scene scene = room();
-        Colour light = new Colour(1, 2, 4);
-        Probe probe = Probe.of(scene);
-        Ray through = ray(-1, 0, 5, 0, 0, -1);
+    void clearGlassIsToldThoughItDimsNothing() {
+        Scene scene = Scenes.shadowedBy(new Sphere(glass(grey(1), 1), new Point(0.75, 0, 1), 0.25));
+        Scenes.light(scene, Scenes.pointLight(3, 0, 4));
 
-        probe.dim(light, through, 6.5, 0);
-        assertThat(light).hasToString("(0.9,1.0,1.0)");
-        probe.dim(light, through, 3, 0);
-        assertThat(light).as("nothing is so near").hasToString("(0.9,1.0,1.0)");
-        probe.dim(light, through, 100, 0);
-        assertThat(light.isBlack()).as("the floor is next").isTrue();
-        assertThat(probe.between(through, 100, 0)).as("in the scene's order, up to what blocks").containsExactly(0);
+        assertThat(lamp(scene, 0).verdict()).isEqualTo(Verdict.DIMMED);
+        assertThat(lamp(scene, 0).between()).extracting(Between::object).containsExactly(new RayTree.Thing(2, "sphere", 0));
+        assertThat(lamp(scene, 0).arriving()).hasToString("(1.0,1.0,1.0)");
+    }
+
+    @Test
+    void aBlackLampWithNothingBetweenReachesAsBlack() {
+        Scene scene = Scenes.shadowedBy();
+        Scenes.light(scene, new PointLight(new Point(3, 0, 4)));
+        scene.getLight(0).intensity = grey(0);
+
+        assertThat(lamp(scene, 0).verdict()).isEqualTo(Verdict.REACHES);
+        assertThat(lamp(scene, 0).arriving().isBlack()).isTrue();
     }
 }

@@ -1,9 +1,9 @@
-package simpleray.accel;
+package simpleray.scene;
 
 import java.util.Arrays;
 
-/** Counts of what was done to render. <em>Mutable</em>: while rays are traced, one thread's own. */
-public final class Tally {
+/** Counts of rays and of the work to trace them. <em>Mutable</em>: while rays are traced, one thread's own. */
+public final class RayStats {
     /** Rays from the eye. */
     public long primary;
     /** Mirror rays. */
@@ -19,8 +19,8 @@ public final class Tally {
     /** How many rays there were after no reflection or refraction, after one, and so on; shadow rays apart. */
     public long[] depths = new long[1];
 
-    /** Creates a tally of nothing. */
-    public Tally() {
+    /** Creates counts of nothing. */
+    public RayStats() {
     }
 
     /** {@return the number of all rays} */
@@ -28,16 +28,24 @@ public final class Tally {
         return primary + reflected + refracted + shadow;
     }
 
-    /** Counts a ray that is no shadow ray. */
-    void ray(int depth) {
-        if (depth >= depths.length) {
-            depths = Arrays.copyOf(depths, depth + 1);
+    /**
+     * Counts a ray that is no shadow ray.
+     *
+     * @param level how many reflections and refractions led to it
+     */
+    public void ray(int level) {
+        if (level >= depths.length) {
+            depths = Arrays.copyOf(depths, level + 1);
         }
-        depths[depth]++;
+        depths[level]++;
     }
 
-    /** Adds what another thread did. */
-    void add(Tally other) {
+    /**
+     * Adds what another thread did.
+     *
+     * @param other its counts
+     */
+    public void add(RayStats other) {
         primary += other.primary;
         reflected += other.reflected;
         refracted += other.refracted;

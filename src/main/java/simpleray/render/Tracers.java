@@ -1,0 +1,74 @@
+package simpleray.render;
+
+import java.util.ArrayList;
+import java.util.List;
+import simpleray.accel.Engine;
+import simpleray.scene.Camera;
+import simpleray.scene.Intersector;
+import simpleray.scene.RayStats;
+import simpleray.scene.Scene;
+
+/** Makes a tracer for each thread of a rendering, and adds up what they did. Any thread may call. */
+final class Tracers {
+    private final Scene scene;
+    private final Camera camera;
+    private final RenderSettings settings;
+    private final Engine engine;                              // null if all objects are asked in turn
+    private final List<RayStats> counts = new ArrayList<>();
+    private final Object listing = new Object();
+    private Engine listed;
+
+    /** Creates one. The engine is the scene made ready; null to ask all objects in turn. */
+    Tracers(Scene scene, Camera camera, RenderSettings settings, Engine engine) {
+        this.scene = scene;
+        this.camera = camera;
+        this.settings = settings;
+        this.engine = engine;
+    }
+
+    /**
+     * Makes a tracer for one thread.
+     *
+     * @param many whether to have all that makes many rays faster; the first thread that asks makes it
+     */
+    Tracer tracer(boolean many) {
+        RayStats stats = new RayStats();
+        synchronized (counts) {
+            counts.add(stats);
+        }
+        return tracer(many && engine != null ? listed() : engine, stats);
+    }
+
+    /** {@return a tracer whose rays are not counted} */
+    Tracer uncounted() {
+        return tracer(engine, new RayStats());
+    }
+
+    /** {@return what all threads did together, to be asked when they have ended; null if all objects were asked in turn} */
+    RayStats stats() {
+        if (engine == null) {
+            return null;
+        }
+        RayStats sum = new RayStats();
+        synchronized (counts) {
+            for (RayStats stats : counts) {
+                sum.add(stats);
+            }
+        }
+        return sum;
+    }
+
+    private Tracer tracer(Engine ready, RayStats stats) {
+        Intersector intersector = Tracer.intersector(scene, ready, stats);
+        return new Tracer(Tracer.integrator(scene, intersector, settings.stage(), stats), camera, settings);
+    }
+
+    private Engine listed() {
+        synchronized (listing) {
+            if (listed == null) {
+                listed = engine.listed();
+            }
+            return listed;
+        }
+    }
+}
