@@ -25,9 +25,11 @@ import simpleray.cli.Main;
 
 /** The rooms of docs/architecture.md, and what only one of them may do. */
 class RoomsTest {
-    /** The floor of each room; rooms of one floor do not know each other. {@code accel} is planned. */
+    /** The floor of each room; rooms of one floor do not know each other. */
     private static final Map<String, Integer> FLOORS = new TreeMap<>(Map.of("simpleray.text", 0, "simpleray.math", 1,
-        "simpleray.image", 2, "simpleray.scene", 2, "simpleray.accel", 3, "simpleray.render", 4, "simpleray.ui", 5, "simpleray.cli", 6));
+        "simpleray.image", 2, "simpleray.accel", 2, "simpleray.scene", 3, "simpleray.trace", 4, "simpleray.render", 5, "simpleray.ui", 6,
+        "simpleray.cli", 7));
+    private static final String SCENE = "simpleray.scene";
     private static final String UI = "simpleray.ui";
     private static final String CLI = "simpleray.cli";
     private static final String IMAGE = "simpleray.image";
@@ -62,6 +64,13 @@ class RoomsTest {
     private static List<String> closedTo(String room) {
         return FLOORS.keySet().stream().filter(other -> !other.equals(room) && FLOORS.get(other) >= FLOORS.get(room))
             .collect(Collectors.toList());
+    }
+
+    /** Nor text, though that lies below. */
+    @Test
+    void boxesAndRaysKnowNothingButMath() {
+        noClasses().that().resideInAPackage("simpleray.accel").should().dependOnClassesThat(
+            resideInAPackage("simpleray..").and(not(resideInAnyPackage("simpleray.accel", "simpleray.math")))).check(PROGRAM);
     }
 
     @Test

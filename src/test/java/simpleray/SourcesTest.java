@@ -9,7 +9,6 @@ import org.junit.jupiter.api.Test;
 
 /** Rules that hold for the text of every source. */
 class SourcesTest {
-    private static final int MOST_LINES = 350;
     private static final List<SourceFile> MAIN = SourceFile.allOf("src/main/java");
     private static final List<SourceFile> ALL = SourceFile.allOf("src");
 
@@ -17,12 +16,6 @@ class SourcesTest {
     void nothingIsImportedByAsterisk() {
         assertThat(ALL).hasSizeGreaterThan(MAIN.size())
             .allSatisfy(file -> assertThat(file.imports()).as(file.name()).noneMatch(name -> name.endsWith("*")));
-    }
-
-    @Test
-    void noFileOfTheProgramIsTooLongToRead() {
-        assertThat(MAIN).isNotEmpty();
-        assertThat(MAIN.stream().filter(file -> file.lines().size() > MOST_LINES).map(SourceFile::name)).isEmpty();
     }
 
     @Test

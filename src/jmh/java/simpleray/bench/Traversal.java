@@ -5,7 +5,6 @@ import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.OperationsPerInvocation;
 import org.openjdk.jmh.annotations.Param;
 import org.openjdk.jmh.annotations.Setup;
-import simpleray.accel.Engine;
 import simpleray.math.Colour;
 import simpleray.math.Point;
 import simpleray.math.Ray;
@@ -17,6 +16,7 @@ import simpleray.scene.Scene;
 import simpleray.scene.Sphere;
 import simpleray.scene.Terms;
 import simpleray.scene.WhittedIntegrator;
+import simpleray.trace.CompiledScene;
 
 /** The way of rays in all directions through 10,000 spheres: spread evenly, which makes a grid, or in a few heaps, which makes a tree. */
 public class Traversal extends Bench {
@@ -50,7 +50,8 @@ public class Traversal extends Bench {
             scene.setObject(i, new Sphere(new Material(), centre, heaped ? RADIUS * HEAP : RADIUS));
         }
         RayStats stats = new RayStats();
-        integrator = new WhittedIntegrator(scene, new Engine(scene, new Point(0, 0, 2), 1).intersector(stats), Terms.ALL, stats, null);
+        CompiledScene compiled = new CompiledScene(scene, new Point(0, 0, 2), 1, Long.MAX_VALUE);
+        integrator = new WhittedIntegrator(scene, compiled.intersector(stats), Terms.ALL, stats, null);
         for (int i = 0; i < RAYS; i++) {
             Vector direction = new Vector(random.nextGaussian(), random.nextGaussian(), random.nextGaussian());
             direction.normalise();

@@ -10,7 +10,7 @@ import java.util.concurrent.RecursiveTask;
  * <p>What is thrown on one of them is kept here, and thrown by what waits. The library makes objects to keep it in and to wait with; when
  * memory has come to its end it cannot, and would wait for ever.
  */
-final class Pool implements AutoCloseable, Thread.UncaughtExceptionHandler {
+public final class Pool implements AutoCloseable, Thread.UncaughtExceptionHandler {
     private static final int MOST_THREADS = 64;
     /** So many things are worth a task of their own. */
     private static final int TASK = 1 << 15;
@@ -23,7 +23,12 @@ final class Pool implements AutoCloseable, Thread.UncaughtExceptionHandler {
     private boolean closed;
     private ForkJoinPool threads;                             // null until they are needed: most scenes are small
 
-    Pool(int threads) {
+    /**
+     * Creates a pool; its threads are made when they are needed.
+     *
+     * @param threads how many there may be
+     */
+    public Pool(int threads) {
         most = Math.min(threads, MOST_THREADS);
     }
 
@@ -51,8 +56,13 @@ final class Pool implements AutoCloseable, Thread.UncaughtExceptionHandler {
         void on(int from, int to);
     }
 
-    /** What is to be made. */
-    interface Making<T> {
+    /**
+     * What is to be made.
+     *
+     * @param <T> its type
+     */
+    public interface Making<T> {
+        /** {@return the thing} */
         T make();
     }
 
@@ -71,8 +81,14 @@ final class Pool implements AutoCloseable, Thread.UncaughtExceptionHandler {
         return await(task);
     }
 
-    /** Begins to make something that is to be {@linkplain #await waited} for. */
-    <T> Task<T> begin(Making<T> making) {
+    /**
+     * Begins to make something that is to be {@linkplain #await waited} for.
+     *
+     * @param <T> its type
+     * @param making makes it, on one of the threads
+     * @return what is waited for
+     */
+    public <T> Task<T> begin(Making<T> making) {
         Task<T> task = new Task<>(this) {
             private static final long serialVersionUID = 1L;
 
@@ -85,8 +101,14 @@ final class Pool implements AutoCloseable, Thread.UncaughtExceptionHandler {
         return task;
     }
 
-    /** {@return what a task found that was begun} What is thrown on any of the threads is thrown here. */
-    <T> T await(Task<T> task) {
+    /**
+     * Waits for a task that was begun. What is thrown on any of the threads is thrown here.
+     *
+     * @param <T> the type of what it makes
+     * @param task the task
+     * @return what it made
+     */
+    public <T> T await(Task<T> task) {
         boolean interrupted = false;
         Throwable thrown;
         synchronized (this) {
@@ -156,8 +178,12 @@ final class Pool implements AutoCloseable, Thread.UncaughtExceptionHandler {
         notifyAll();
     }
 
-    /** Finds something, on one of the threads. */
-    abstract static class Task<T> extends RecursiveTask<T> {
+    /**
+     * Finds something, on one of the threads.
+     *
+     * @param <T> its type
+     */
+    public abstract static class Task<T> extends RecursiveTask<T> {
         private static final long serialVersionUID = 1L;
         final transient Pool pool;
         private transient T found;

@@ -1,5 +1,5 @@
 /**
- * Finds what rays hit faster than by asking every object, and the same: the answers are those of
- * {@link simpleray.scene.BruteForceIntersector}, bit for bit.
+ * Finds the few primitives that a ray may hit without a look at the others: boxes and rays, and nothing of scenes. No hit is lost: who tests
+ * what is shown here finds the same as who tests all.
  */
 package simpleray.accel;

@@ -7,9 +7,11 @@ import java.util.List;
 import java.util.Locale;
 import java.util.TreeSet;
 import java.util.concurrent.Callable;
+import java.util.function.Supplier;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParentCommand;
+import simpleray.render.Accel;
 import simpleray.render.PreparedScene;
 import simpleray.render.RenderListener;
 import simpleray.render.RenderRequest;
@@ -25,12 +27,16 @@ import simpleray.scene.SimpleCamera;
 /** Measures how fast the renderer is on this machine. */
 @Command(mixinStandardHelpOptions = true,
     description = "Measures how fast the renderer is on this machine: rays a second by kind, how the time grows with the number of "
-        + "spheres and shrinks with that of threads, and how many pictures a second a window could show. Takes some minutes; "
-        + "for fair figures let nothing else run.")
+        + "spheres and shrinks with that of threads, what even spheres, heaps of spheres and a mesh cost beside the same without "
+        + "acceleration, and how many pictures a second a window could show. Takes some minutes; for fair figures let nothing else run.")
 final class BenchCommand implements Callable<Integer> {
     private static final String THESIS = "/simpleray/thesis.scene";
     private static final int[] SIZES = {100, 1000, 10_000, 100_000, 1_000_000};
     private static final int KINDS_SIZE = 10_000;
+    private static final int MESH_SIZE = 200_000;
+    private static final int QUICK_MESH_SIZE = 2000;
+    /** With all objects asked in turn a picture has so many pixels that about so many are asked by the rays from the eye. */
+    private static final double MOST_ASKED = 2e7;
     private static final int SIDE = 400;
     private static final int QUICK_SIDE = 40;
     private static final int DEPTH = 5;
@@ -44,7 +50,7 @@ final class BenchCommand implements Callable<Integer> {
 
     private final int all = Runtime.getRuntime().availableProcessors();
 
-    /** What one rendering took, without the time to make the scene ready; and what it did. */
+    /** What one rendering took, without the time to make the scene ready; and what it did: null where all objects are asked. */
     private record Run(double ready, double seconds, RayStats stats) {
     }
 
@@ -55,18 +61,19 @@ final class BenchCommand implements Callable<Integer> {
         interactive();                                        // first: a window that shows one scene has the machine's compiler to itself
         kinds();
         growth();
+        scenes();
         threads();
         return ExitCode.DONE;
     }
 
     /** A kind of rays costs what a rendering with them takes more than the same one without. */
     private void kinds() throws Failure {
-        Scene scene = ManySpheres.scene(quick ? SIZES[0] : KINDS_SIZE, false);
+        Scene scene = BenchScenes.even(quick ? SIZES[0] : KINDS_SIZE, false);
         Run primary = median(scene, Stage.ORIGINAL, DEPTH, 1);
         Run lit = median(scene, Stage.LIGHTING, 0, 1);
         Run shadowed = median(scene, Stage.FINAL, 0, 1);
         Run mirrored = median(scene, Stage.FINAL, DEPTH, 1);
-        Scene glass = ManySpheres.scene(quick ? SIZES[0] : KINDS_SIZE, true);
+        Scene glass = BenchScenes.even(quick ? SIZES[0] : KINDS_SIZE, true);
         Run clear = median(glass, Stage.FINAL, 0, 1);
         Run bent = median(glass, Stage.FINAL, DEPTH, 1);
         say("%nrays of one thread, %d spheres        rays   million a second", quick ? SIZES[0] : KINDS_SIZE);
@@ -86,13 +93,40 @@ final class BenchCommand implements Callable<Integer> {
         say("%n  spheres   make ready, s   render, s   rays   ns a ray   tests a ray");
         List<double[]> points = new ArrayList<>();
         for (int n : quick ? Arrays.copyOf(SIZES, 2) : SIZES) {
-            Run run = median(ManySpheres.scene(n, false), Stage.FINAL, DEPTH, all);
+            Run run = median(BenchScenes.even(n, false), Stage.FINAL, DEPTH, all);
             long rays = run.stats.rays();
             say("%9d   %13.3f   %9.3f   %d   %.0f   %.1f", n, run.ready, run.seconds, rays, run.seconds / rays * 1e9,
                 (double) run.stats.tests / rays);
             points.add(new double[] {Math.log(n), Math.log(run.seconds)});
         }
         say("the time to render grows as the number of spheres to the power of %.3f", slope(points));
+    }
+
+    /** What lies unevenly, and what is no sphere, beside even spheres; each also with all objects asked in turn, as the thesis does. */
+    private void scenes() throws Failure {
+        int n = quick ? SIZES[1] : KINDS_SIZE;
+        int triangles = quick ? QUICK_MESH_SIZE : MESH_SIZE;
+        say("%n%-30s   make ready, s   render, s      rays   ns a ray   tests a ray   ns a ray, --accel none", "scene");
+        compare(n + " even spheres", () -> BenchScenes.even(n, false));
+        compare(n + " spheres in heaps", () -> BenchScenes.clusters(n));
+        if (!quick) {
+            compare(SIZES[3] + " spheres in heaps", () -> BenchScenes.clusters(SIZES[3]));
+        }
+        compare("mesh of about " + triangles + " triangles", () -> BenchScenes.mesh(triangles));
+        say("(--accel none with pictures of the size behind it; a mesh is one object, which finds its triangles by a tree of its own)");
+    }
+
+    private void compare(String name, Supplier<Scene> maker) throws Failure {
+        Scene scene = maker.get();
+        RenderSettings settings = new RenderSettings(Stage.FINAL, DEPTH, 1, all);
+        Run run = median(scene, settings, side());
+        double ready = run(maker.get(), settings, side()).ready;   // of a new scene: a mesh keeps its tree
+        long rays = run.stats.rays();
+        int none = (int) Math.min(side(), Math.sqrt(MOST_ASKED / scene.getNumberObjects()));
+        long noneRays = run(scene, settings, none).stats.rays();   // which are not counted where all objects are asked
+        double seconds = median(scene, new RenderSettings(Stage.FINAL, DEPTH, 1, Accel.NONE, all, null), none).seconds;
+        say("%-30s   %13.3f   %9.3f   %7d   %8.0f   %11.1f   %9.0f (%d x %d)", name, ready, run.seconds, rays, run.seconds / rays * 1e9,
+            (double) run.stats.tests / rays, seconds / noneRays * 1e9, none, none);
     }
 
     /** {@return the slope of the straight line that fits best, by least squares} */
@@ -105,7 +139,7 @@ final class BenchCommand implements Callable<Integer> {
 
     private void threads() throws Failure {
         say("%nthreads   render, s   efficiency");
-        Scene scene = ManySpheres.scene(quick ? SIZES[0] : KINDS_SIZE, false);
+        Scene scene = BenchScenes.even(quick ? SIZES[0] : KINDS_SIZE, false);
         TreeSet<Integer> numbers = new TreeSet<>(List.of(1, all));
         for (int n = 2; n < all; n *= 2) {
             numbers.add(n);
@@ -152,17 +186,21 @@ final class BenchCommand implements Callable<Integer> {
     }
 
     private Run median(Scene scene, Stage stage, int depth, int threads) {
+        return median(scene, new RenderSettings(stage, depth, 1, threads), side());
+    }
+
+    private Run median(Scene scene, RenderSettings settings, int side) {
         List<Run> runs = new ArrayList<>();
-        run(scene, stage, depth, threads);
+        run(scene, settings, side);
         for (int i = 0; i < runs(); i++) {
-            runs.add(run(scene, stage, depth, threads));
+            runs.add(run(scene, settings, side));
         }
         runs.sort((a, b) -> Double.compare(a.seconds, b.seconds));
         return runs.get(runs.size() / 2);
     }
 
-    private Run run(Scene scene, Stage stage, int depth, int threads) {
-        Renderer renderer = new Renderer(scene, new SimpleCamera(side(), side()), new RenderSettings(stage, depth, 1, threads));
+    private static Run run(Scene scene, RenderSettings settings, int side) {
+        Renderer renderer = new Renderer(scene, new SimpleCamera(side, side), settings);
         renderer.render(RenderListener.NONE);
         return new Run(renderer.work().readySeconds(), renderer.work().renderSeconds(), renderer.work().stats());
     }

@@ -46,4 +46,18 @@ public record Bounds(double xmin, double ymin, double zmin, double xmax, double 
     public boolean contains(Point p) {
         return p.x >= xmin && p.x <= xmax && p.y >= ymin && p.y <= ymax && p.z >= zmin && p.z <= zmax;
     }
+
+    /**
+     * Copies the sides.
+     *
+     * @param box gets xmin, ymin, zmin, xmax, ymax, zmax
+     */
+    public void get(double[] box) {
+        box[0] = xmin;
+        box[1] = ymin;
+        box[2] = zmin;
+        box[3] = xmax;
+        box[4] = ymax;
+        box[5] = zmax;
+    }
 }

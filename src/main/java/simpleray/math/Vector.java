@@ -266,7 +266,7 @@ public final class Vector {
     /** {@return the length, right for every finite vector whose length is a double} */
     public double norm() {
         double square = squarednorm();
-        if (square >= LEAST_SQUARE && square <= MOST_SQUARE) {
+        if (isPlain(square)) {
             return Math.sqrt(square);
         }
         double largest = Math.max(Math.abs(x), Math.max(Math.abs(y), Math.abs(z)));
@@ -278,6 +278,17 @@ public final class Vector {
         return dot(this, this);
     }
 
+    /**
+     * Tells whether a vector's squared length has all its digits, so that its root is the length; else {@link #norm} and {@link #normalise}
+     * know better.
+     *
+     * @param square the squared length, {@link #squarednorm}
+     * @return whether neither underflow nor overflow took some
+     */
+    public static boolean isPlain(double square) {
+        return square >= LEAST_SQUARE && square <= MOST_SQUARE;
+    }
+
     /** Gives this vector the length 1; a zero vector stays zero. */
     public void normalise() {
         measureAndNormalise();
@@ -286,7 +297,7 @@ public final class Vector {
     /** {@return the length, as {@link #norm} tells it, of this vector, which gets the length 1} A zero vector stays zero. */
     public double measureAndNormalise() {
         double square = squarednorm();
-        if (square >= LEAST_SQUARE && square <= MOST_SQUARE) {
+        if (isPlain(square)) {
             double length = Math.sqrt(square);
             set(x / length, y / length, z / length);
             return length;

@@ -3,7 +3,6 @@ package simpleray.render;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
-import simpleray.accel.Engine;
 import simpleray.math.Colour;
 import simpleray.math.Ray;
 import simpleray.scene.Camera;
@@ -15,6 +14,7 @@ import simpleray.scene.RayTree;
 import simpleray.scene.RayTreeRecorder;
 import simpleray.scene.Scene;
 import simpleray.scene.WhittedIntegrator;
+import simpleray.trace.CompiledScene;
 
 /** Tells about single pixels of a picture. <em>Mutable</em>: one thread's own. The scene and the camera must not change meanwhile. */
 public final class Explainer {
@@ -27,12 +27,13 @@ public final class Explainer {
     private final Hit hit = new Hit();
     private final Sampler sampler;
 
-    /** Creates one. The engine is the scene made ready; if it is null, and is not to be done without, it is made. */
-    Explainer(Scene scene, Camera camera, RenderSettings settings, Engine engine) {
+    /** Creates one. The compiled scene is made if it is null, and not to be done without. */
+    Explainer(Scene scene, Camera camera, RenderSettings settings, CompiledScene compiled) {
         this.scene = scene;
         this.camera = camera;
         this.settings = settings;
-        Engine ready = engine != null || settings.accel() == Accel.NONE ? engine : new Engine(scene, camera.eye(), settings.threads());
+        CompiledScene ready = compiled != null || settings.accel() == Accel.NONE ? compiled
+            : new CompiledScene(scene, camera.eye(), settings.threads(), 1);
         intersector = Tracer.intersector(scene, ready, uncounted);
         integrator = Tracer.integrator(scene, intersector, settings.stage(), uncounted);
         Tracer tracer = new Tracer(integrator, camera, settings);

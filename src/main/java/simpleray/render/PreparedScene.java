@@ -1,9 +1,10 @@
 package simpleray.render;
 
-import simpleray.accel.Engine;
+import java.util.function.Supplier;
 import simpleray.math.Point;
 import simpleray.scene.Scene;
 import simpleray.scene.SceneSettings;
+import simpleray.trace.CompiledScene;
 
 /**
  * A scene that is rendered again and again, by requests that may differ in the camera and in all else: what takes long to make ready is
@@ -12,7 +13,7 @@ import simpleray.scene.SceneSettings;
 public final class PreparedScene {
     private final Scene scene;
     private final SceneSettings own;
-    private Engine engine;
+    private CompiledScene compiled;
 
     /**
      * Takes a scene as it was read; nothing is made ready yet.
@@ -37,10 +38,10 @@ public final class PreparedScene {
     }
 
     /** {@return the scene made ready for an eye} What is to be made once is made now, if it was not. */
-    synchronized Engine engine(Point eye, int threads) {
-        if (engine == null) {
-            engine = new Engine(scene, eye, threads);
+    synchronized CompiledScene compiled(Point eye, Supplier<CompiledScene> maker) {
+        if (compiled == null) {
+            compiled = maker.get();
         }
-        return engine.seenFrom(eye);
+        return compiled.seenFrom(eye);
     }
 }

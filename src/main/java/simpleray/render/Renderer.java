@@ -2,15 +2,18 @@ package simpleray.render;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.CancellationException;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReferenceArray;
 import java.util.function.Consumer;
 import java.util.function.IntFunction;
-import simpleray.accel.Engine;
 import simpleray.image.Picture;
 import simpleray.math.Colour;
 import simpleray.scene.Camera;
 import simpleray.scene.Scene;
+import simpleray.trace.CompiledScene;
 
 /**
  * Renders one picture of a scene: rays for each pixel, rows handed out to threads (thesis, chapter 2). The scene and the camera must
@@ -21,13 +24,12 @@ public final class Renderer {
     /** Room for {@link RenderSettings#MOST_DEPTH} reflections within reflections, in bytes. */
     private static final long STACK = 8L << 20;
 
-    private static final int WARM_UP_RAYS = 50;
-    private static final int WARM_UP = 600;
-    /** From so many pixels for each thread on a picture is worth it. */
-    private static final int LARGE = 15_000;
-    private static final double ACROSS = 0.7548776662466927;
-    private static final double DOWN = 0.5698402909980532;
-    private static volatile Stage warm;                       // what is compiled for a stage is there for its next picture
+    /** So many rows from all over the picture are rendered first, or as many as have so many pixels, or a part of all. */
+    private static final int MAX_EARLY = 64;
+    private static final int MAX_EARLY_PIXELS = 64_000;
+    private static final int EARLY_PART = 8;
+    /** How far they are apart, as a share of the picture: the golden ratio spreads any number of them evenly. */
+    private static final double APART = 0.6180339887498949;
 
     private final Scene scene;
     private final Camera camera;
@@ -39,7 +41,9 @@ public final class Renderer {
     private final Rows rows;
     private volatile Throwable fault;                         // what a thread threw: the first; if two come at once, either
     private volatile boolean cancelled;
-    private volatile Engine ready;                            // kept for who asks about pixels
+    private final Map<Integer, double[]> early = new ConcurrentHashMap<>();   // rows that were rendered before their turn
+    private final AtomicInteger nextEarly = new AtomicInteger();
+    private volatile CompiledScene ready;                            // kept for who asks about pixels
     private volatile PassWork passes;                         // null unless it renders in passes
     private boolean paused;
     private IntFunction<double[]> known;                      // null if no row is
@@ -105,7 +109,7 @@ public final class Renderer {
     /** {@return the memory that rendering takes at most, in bytes, if the listener lets go of each row} */
     public long bytesNeeded() {
         int kept = firstPoints == null ? 0 : firstPoints.length();   // and the neighbours of each thread's, which are mostly of these
-        return (long) (threads() + kept) * Picture.bytesNeeded(picture.width(), 1);
+        return (long) (threads() + kept + earlyRows()) * Picture.bytesNeeded(picture.width(), 1);
     }
 
     /**
@@ -167,10 +171,10 @@ public final class Renderer {
 
     private Picture renderBy(Consumer<Tracers> work) {
         long start = System.nanoTime();
-        Engine engine = settings.accel() == Accel.NONE ? null
-            : prepared == null ? new Engine(scene, camera.eye(), settings.threads()) : prepared.engine(camera.eye(), settings.threads());
-        ready = engine;
-        Tracers tracers = new Tracers(scene, camera, settings, engine);
+        CompiledScene compiled = settings.accel() == Accel.NONE ? null
+            : prepared == null ? compile() : prepared.compiled(camera.eye(), this::compile);
+        ready = compiled;
+        Tracers tracers = new Tracers(scene, camera, settings, compiled);
         long begin = System.nanoTime();
         List<Thread> workers = new ArrayList<>(threads());
         for (int i = 0; i < threads(); i++) {
@@ -208,6 +212,11 @@ public final class Renderer {
         return picture;
     }
 
+    private CompiledScene compile() {
+        long samples = Math.max(1, (long) settings.samples() * settings.samples());
+        return new CompiledScene(scene, camera.eye(), settings.threads(), samples * picture.width() * picture.height());
+    }
+
     private int threads() {
         return Math.min(settings.threads(), picture.height());
     }
@@ -239,23 +248,30 @@ public final class Renderer {
     }
 
     /**
-     * Traces a few rays from all over the picture, and forgets what they see: the machine compiles what it has seen at work, and would have
-     * to begin again for what only the lower rows show. The points are those of Roberts, "The Unreasonable Effectiveness of Quasirandom
-     * Sequences", 2018.
+     * Renders a few rows from all over the picture: the machine compiles what it has seen at work, and would have to begin again for what only
+     * the lower rows show. They are kept until their turn comes.
      */
-    private void warmUp(Tracers tracers) {
-        Tracer tracer = null;
-        Colour forgotten = new Colour();
-        for (int i = 1; i <= WARM_UP && !cancelled; i++) {
-            if (i % WARM_UP_RAYS == 1) {                      // what a new tracer does only once is to be seen often
-                tracer = tracers.uncounted();
+    private void renderEarly(Sampler own) {
+        for (int k = nextEarly.getAndIncrement(); k < earlyRows() && !cancelled; k = nextEarly.getAndIncrement()) {
+            int y = (int) (k * APART % 1 * picture.height());
+            if (known == null || known.apply(y) == null) {
+                double[] row = row(y, own, new double[3 * picture.width()]);
+                if (!cancelled) {
+                    early.put(y, row);
+                }
             }
-            tracer.trace(region.x() + i * ACROSS % 1 * picture.width(), region.y() + i * DOWN % 1 * picture.height(), forgotten);
         }
     }
 
-    private static void noteWarm(Stage stage) {
-        warm = stage;
+    /** {@return how many rows are rendered before their turn} None if they would look at neighbours that are not known yet. */
+    private int earlyRows() {
+        return firstPoints != null ? 0 : Math.min(Math.min(MAX_EARLY, MAX_EARLY_PIXELS / picture.width()), picture.height() / EARLY_PART);
+    }
+
+    /** {@return the light of a row that need not be rendered any more; null if it must be} */
+    private double[] kept(int y) {
+        double[] row = early.remove(y);
+        return row == null && known != null ? known.apply(y) : row;
     }
 
     private Sampler sampler(Tracer tracer) {
@@ -275,15 +291,11 @@ public final class Renderer {
     }
 
     private void work(Tracers tracers, RenderListener listener) {
-        boolean large = (long) picture.width() * picture.height() >= (long) LARGE * threads();
-        if (large && settings.accel() != Accel.NONE && warm != settings.stage()) {
-            warmUp(tracers);
-            noteWarm(settings.stage());
-        }
         Sampler own = sampler(tracers.tracer(false));
+        renderEarly(own);
         double[] spare = null;                                // a row that was let go of
         for (int y = rows.next(); y >= 0 && !cancelled; y = rows.next()) {
-            double[] kept = known == null ? null : known.apply(y);
+            double[] kept = kept(y);
             double[] row = kept == null ? row(y, own, spare == null ? new double[3 * picture.width()] : spare) : kept;
             if (!cancelled) {
                 picture.setRow(y, row);

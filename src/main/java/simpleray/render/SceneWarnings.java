@@ -5,7 +5,6 @@ import java.util.BitSet;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
-import simpleray.accel.Engine;
 import simpleray.math.Bounds;
 import simpleray.math.Colour;
 import simpleray.math.Point;
@@ -25,6 +24,7 @@ import simpleray.scene.Terms;
 import simpleray.scene.VisibilityTester;
 import simpleray.scene.WhittedIntegrator;
 import simpleray.text.Problem;
+import simpleray.trace.CompiledScene;
 
 /**
  * Finds what is odd about a scene's picture: things that make no difference to it, an eye inside something, colours that are cut off,
@@ -181,7 +181,7 @@ public final class SceneWarnings {
 
     private void follow() {
         RayStats uncounted = new RayStats();
-        Intersector intersector = new Engine(scene, camera.eye(), 1).intersector(uncounted);
+        Intersector intersector = new CompiledScene(scene, camera.eye(), 1, (long) SIDES[0] * SIDES[0]).intersector(uncounted);
         Integrator integrator = new WhittedIntegrator(scene, intersector, Terms.ALL, uncounted, seen);
         for (int side : SIDES) {
             follow(integrator, side);

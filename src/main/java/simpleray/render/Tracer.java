@@ -1,6 +1,5 @@
 package simpleray.render;
 
-import simpleray.accel.Engine;
 import simpleray.math.Colour;
 import simpleray.math.Ray;
 import simpleray.scene.BruteForceIntersector;
@@ -10,6 +9,7 @@ import simpleray.scene.Intersector;
 import simpleray.scene.RayStats;
 import simpleray.scene.Scene;
 import simpleray.scene.WhittedIntegrator;
+import simpleray.trace.CompiledScene;
 
 /** Finds the colour at a point of the picture. <em>Mutable</em>: one thread's own. */
 final class Tracer {
@@ -21,11 +21,11 @@ final class Tracer {
     /**
      * Makes what finds hits in a scene, for one thread.
      *
-     * @param engine the scene made ready; null to ask all objects in turn
+     * @param compiled the scene made ready; null to ask all objects in turn
      * @param stats gets the counts of tests and steps
      */
-    static Intersector intersector(Scene scene, Engine engine, RayStats stats) {
-        return engine == null ? new BruteForceIntersector(scene) : engine.intersector(stats);
+    static Intersector intersector(Scene scene, CompiledScene compiled, RayStats stats) {
+        return compiled == null ? new BruteForceIntersector(scene) : compiled.intersector(stats);
     }
 
     /**

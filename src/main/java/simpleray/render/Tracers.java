@@ -2,28 +2,28 @@ package simpleray.render;
 
 import java.util.ArrayList;
 import java.util.List;
-import simpleray.accel.Engine;
 import simpleray.scene.Camera;
 import simpleray.scene.Intersector;
 import simpleray.scene.RayStats;
 import simpleray.scene.Scene;
+import simpleray.trace.CompiledScene;
 
 /** Makes a tracer for each thread of a rendering, and adds up what they did. Any thread may call. */
 final class Tracers {
     private final Scene scene;
     private final Camera camera;
     private final RenderSettings settings;
-    private final Engine engine;                              // null if all objects are asked in turn
+    private final CompiledScene compiled;                     // null if all objects are asked in turn
     private final List<RayStats> counts = new ArrayList<>();
     private final Object listing = new Object();
-    private Engine listed;
+    private CompiledScene listed;
 
-    /** Creates one. The engine is the scene made ready; null to ask all objects in turn. */
-    Tracers(Scene scene, Camera camera, RenderSettings settings, Engine engine) {
+    /** Creates one. The compiled scene is null to ask all objects in turn. */
+    Tracers(Scene scene, Camera camera, RenderSettings settings, CompiledScene compiled) {
         this.scene = scene;
         this.camera = camera;
         this.settings = settings;
-        this.engine = engine;
+        this.compiled = compiled;
     }
 
     /**
@@ -36,17 +36,17 @@ final class Tracers {
         synchronized (counts) {
             counts.add(stats);
         }
-        return tracer(many && engine != null ? listed() : engine, stats);
+        return tracer(many && compiled != null ? listed() : compiled, stats);
     }
 
     /** {@return a tracer whose rays are not counted} */
     Tracer uncounted() {
-        return tracer(engine, new RayStats());
+        return tracer(compiled, new RayStats());
     }
 
     /** {@return what all threads did together, to be asked when they have ended; null if all objects were asked in turn} */
     RayStats stats() {
-        if (engine == null) {
+        if (compiled == null) {
             return null;
         }
         RayStats sum = new RayStats();
@@ -58,15 +58,15 @@ final class Tracers {
         return sum;
     }
 
-    private Tracer tracer(Engine ready, RayStats stats) {
+    private Tracer tracer(CompiledScene ready, RayStats stats) {
         Intersector intersector = Tracer.intersector(scene, ready, stats);
         return new Tracer(Tracer.integrator(scene, intersector, settings.stage(), stats), camera, settings);
     }
 
-    private Engine listed() {
+    private CompiledScene listed() {
         synchronized (listing) {
             if (listed == null) {
-                listed = engine.listed();
+                listed = compiled.listed();
             }
             return listed;
         }

@@ -29,6 +29,7 @@ public final class BruteForceIntersector implements Intersector {
 
     @Override
     public boolean occluded(Ray ray, double distance, int light, Colour left) {
+        scratch.reset();
         for (int i = 0; i < scene.getNumberObjects() && !left.isBlack(); i++) {
             Object object = scene.getObject(i);
             if (object.occludes(ray, distance, scratch)) {
@@ -46,6 +47,7 @@ public final class BruteForceIntersector implements Intersector {
      * @return the objects' places, in the order of the scene, up to the one that lets nothing more through
      */
     public int[] between(Ray ray, double distance) {
+        scratch.reset();
         IntStream.Builder places = IntStream.builder();
         Colour left = new Colour(1, 1, 1);
         for (int i = 0; i < scene.getNumberObjects() && !left.isBlack(); i++) {

@@ -49,13 +49,30 @@ public final class Cylinder extends Object {
      */
     @Override
     public double intersect(Ray ray) {
+        double ax = end.x - start.x;
+        double ay = end.y - start.y;
+        double az = end.z - start.z;
+        double square = ax * ax + ay * ay + az * az;
+        if (Vector.isPlain(square)) {
+            double length = Math.sqrt(square);
+            return hit(ray, ax / length, ay / length, az / length);
+        }
         Vector axis = axis();
-        Vector from = Vector.subtract(ray.origin, start);
+        return hit(ray, axis.x, axis.y, axis.z);
+    }
+
+    /** {@return t of the hit, or MISS} Takes A, the unit vector from the first end to the second, and makes no vector on the way. */
+    private double hit(Ray ray, double ax, double ay, double az) {
+        Point o = ray.origin;
+        Vector d = ray.direction;
+        double fx = o.x - start.x;
+        double fy = o.y - start.y;
+        double fz = o.z - start.z;
 
         // the slab: how far the ray's origin is beyond either plane, and how fast it gets farther
-        double rise = ray.direction.dot(axis);
-        double low = from.dot(axis);
-        double high = Vector.subtract(ray.origin, end).dot(axis);
+        double rise = d.x * ax + d.y * ay + d.z * az;
+        double low = fx * ax + fy * ay + fz * az;
+        double high = (o.x - end.x) * ax + (o.y - end.y) * ay + (o.z - end.z) * az;
         double near = Double.NEGATIVE_INFINITY;
         double far = Double.POSITIVE_INFINITY;
         if (rise != 0) {
@@ -65,14 +82,22 @@ public final class Cylinder extends Object {
             return MISS;
         }
 
-        // the endless cylinder, |(F + D t) × A|² = R², the quadratic of Sphere in the plane across the axis
-        from.cross(axis);
-        Vector step = Vector.cross(ray.direction, axis);
-        double a = step.squarednorm();
-        double e = from.squarednorm() - radius * radius;
+        // the endless cylinder, |(F + D t) × A|² = R², the quadratic of Sphere in the plane across the axis: F × A and D × A are
+        double px = fy * az - fz * ay;
+        double py = fz * ax - fx * az;
+        double pz = fx * ay - fy * ax;
+        double sx = d.y * az - d.z * ay;
+        double sy = d.z * ax - d.x * az;
+        double sz = d.x * ay - d.y * ax;
+        double a = sx * sx + sy * sy + sz * sz;
+        double e = px * px + py * py + pz * pz - radius * radius;
         if (a >= Double.MIN_NORMAL) {                         // else the ray runs along the axis
-            double towards = -from.dot(step);
-            double square = e < 0 ? towards * towards / a - e : radius * radius - closest(from, step, towards / a);
+            double towards = -(px * sx + py * sy + pz * sz);
+            double closest = towards / a;                     // t where the ray comes closest to the axis
+            double lx = px + closest * sx;
+            double ly = py + closest * sy;
+            double lz = pz + closest * sz;
+            double square = e < 0 ? towards * towards / a - e : radius * radius - (lx * lx + ly * ly + lz * lz);
             if (!(square >= 0)) {
                 return MISS;
             }
@@ -92,14 +117,6 @@ public final class Cylinder extends Object {
         return far > THRESHOLD ? far : MISS;
     }
 
-    /** {@return the squared distance from the axis of a ray's point at t, the closest one} */
-    private static double closest(Vector from, Vector step, double t) {
-        double x = from.x + t * step.x;
-        double y = from.y + t * step.y;
-        double z = from.z + t * step.z;
-        return x * x + y * y + z * z;
-    }
-
     /** {@return the unit vector from the first end to the second} */
     private Vector axis() {
         Vector axis = Vector.subtract(end, start);
@@ -107,21 +124,34 @@ public final class Cylinder extends Object {
         return axis;
     }
 
-    /** {@inheritDoc} On the rim it is the one of the side or of the end, whichever the point is farther beyond. */
     @Override
     public Vector normal(Point p) {
-        Vector axis = axis();
-        Vector out = Vector.subtract(p, start);
-        double low = out.dot(axis);
-        double high = Vector.subtract(p, end).dot(axis);
-        out.subtract(Vector.scale(axis, low));
+        Vector out = new Vector();
+        normal(p, out);
+        return out;
+    }
+
+    /** {@inheritDoc} On the rim it is the one of the side or of the end, whichever the point is farther beyond. */
+    @Override
+    public void normal(Point p, Vector out) {
+        Vector.subtract(out, end, start);
+        out.normalise();
+        double ax = out.x;
+        double ay = out.y;
+        double az = out.z;
+        Vector.subtract(out, p, start);
+        double low = out.x * ax + out.y * ay + out.z * az;
+        double high = (p.x - end.x) * ax + (p.y - end.y) * ay + (p.z - end.z) * az;
+        out.set(out.x - ax * low, out.y - ay * low, out.z - az * low);
         double beyondSide = out.norm() - radius;
         double beyondEnd = Math.max(-low, high);
         if (beyondSide >= beyondEnd) {
             out.normalise();
-            return out;
+        } else if (high > -low) {
+            out.set(ax, ay, az);
+        } else {
+            out.set(-ax, -ay, -az);
         }
-        return high > -low ? axis : Vector.negate(axis);
     }
 
     @Override

@@ -15,6 +15,8 @@ public final class DirectionalLight extends Light {
     /** The direction in which the light travels; need not be of unit length, must not be zero. */
     public Vector direction;
 
+    private final UnitVector unit = new UnitVector();
+
     /** Creates a white light that shines straight down. */
     public DirectionalLight() {
         this(new Vector(0, -1, 0));
@@ -31,10 +33,14 @@ public final class DirectionalLight extends Light {
 
     @Override
     public double towards(Point p, Vector l) {
-        l.copy(direction);
+        unit.of(direction, l);
         l.negate();
-        l.normalise();
         return Double.POSITIVE_INFINITY;
+    }
+
+    @Override
+    public Point origin() {
+        return null;
     }
 
     @Override

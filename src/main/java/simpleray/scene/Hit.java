@@ -17,26 +17,29 @@ public final class Hit {
     /** The weights of the three vertices of that triangle, of any sum but 0. */
     public final double[] weights = new double[3];
 
-    private TriangleProbe probe;                              // of the rays that go through meshes
+    private TriangleIntersector triangles;                              // of the rays that go through meshes
 
     /** Creates a hit of nothing. */
     public Hit() {
     }
 
-    /** Forgets what was hit. */
+    /** Forgets what was hit: another ray begins. */
     public void reset() {
         t = Double.POSITIVE_INFINITY;
         place = NONE;
+        if (triangles != null) {
+            triangles.mesh = null;
+        }
     }
 
     /**
-     * Tells whether a hit comes before this one.
+     * Tells whether another hit comes before this one.
      *
      * @param other its t; a miss is negative
      * @param of the place of the object that is hit there
      * @return whether it is nearer, or as near and of an object that is listed earlier
      */
-    public boolean isAfter(double other, int of) {
+    public boolean accepts(double other, int of) {
         return other >= 0 && (other < t || other == t && of < place);
     }
 
@@ -52,10 +55,10 @@ public final class Hit {
         part = 0;
     }
 
-    TriangleProbe probe() {
-        if (probe == null) {
-            probe = new TriangleProbe();
+    TriangleIntersector triangles() {
+        if (triangles == null) {
+            triangles = new TriangleIntersector();
         }
-        return probe;
+        return triangles;
     }
 }

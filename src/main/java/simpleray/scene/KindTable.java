@@ -62,12 +62,7 @@ final class KindTable<T extends SceneElement> {
     /** Reads n things into a list, which holds those before the first that cannot be read. */
     @SuppressWarnings("NonApiType")                            // no other list can be told how much room it will need
     void readAll(SceneReader is, int n, Lines places, ArrayList<T> all) throws IOException {
-        StringBuilder field = new StringBuilder("type (");
-        for (Kind<T> kind : kinds) {
-            field.append(kind.code).append(' ').append(kind.name).append(", ");
-        }
-        field.setLength(field.length() - 2);
-        String type = field.append("; ").append(counted(n)).append(" announced)").toString();
+        String type = "type (" + list() + "; " + counted(n) + " announced)";
         int room = 0;
         for (int i = 1; i <= n; i++) {
             if (i > room) {
@@ -82,6 +77,15 @@ final class KindTable<T extends SceneElement> {
             is.leave();
         }
         places.trim();
+    }
+
+    /** {@return the codes and names of all kinds, for messages: "0 sphere, 1 plane"} */
+    String list() {
+        StringBuilder list = new StringBuilder();
+        for (Kind<T> kind : kinds) {
+            list.append(list.length() == 0 ? "" : ", ").append(kind.code).append(' ').append(kind.name);
+        }
+        return list.toString();
     }
 
     /** {@return a number of things, for messages} */

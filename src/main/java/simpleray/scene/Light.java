@@ -26,6 +26,13 @@ public abstract class Light implements SceneElement {
     public abstract double towards(Point p, Vector l);
 
     /**
+     * Finds where all rays of the light start, so that what lies in each direction from there can be listed once for all of them.
+     *
+     * @return the point itself, not a copy; null if there is no such point: then shadow rays find their way through the scene one by one
+     */
+    public abstract Point origin();
+
+    /**
      * Writes the light for POV-Ray 3.7, without the closing brace, as in {@link PointLight#writePov}.
      *
      * @param os where to

@@ -28,7 +28,7 @@ public final class Mesh extends Object {
     /** How many times as large as in the OBJ; not 0. */
     public double scale;
 
-    private TriangleTree tree;
+    private TriangleMesh mesh;
 
     /** Creates a mesh without triangles, to be read into. */
     public Mesh() {
@@ -49,23 +49,35 @@ public final class Mesh extends Object {
         this(n, file, offset, scale, ObjReader.read(Path.of(file), warning -> { }));
     }
 
+    /**
+     * Creates a mesh of no file: a scene with it cannot be written. The values are referenced, not copied.
+     *
+     * @param n the material
+     * @param vertices x, y, z of each vertex
+     * @param corners three vertices of each triangle, counted from 0, anticlockwise as seen from outside
+     * @return the mesh, its facets flat
+     */
+    public static Mesh of(Material n, double[] vertices, int[] corners) {
+        return new Mesh(n, "", new Point(), 1, new Triangles(vertices, corners, new double[0], null));
+    }
+
     /** Creates the mesh of some triangles; the file is only named. */
     Mesh(Material n, String file, Point offset, double scale, Triangles triangles) {
         super(n);
         this.file = file;
         this.offset = offset;
         this.scale = scale;
-        tree = new TriangleTree(triangles);
+        mesh = new TriangleMesh(triangles);
     }
 
     /** {@return the number of triangles} */
     public int size() {
-        return tree.triangles.count();
+        return mesh.triangles.count();
     }
 
     /** {@return the triangles, which other meshes may share} */
-    TriangleTree tree() {
-        return tree;
+    TriangleMesh mesh() {
+        return mesh;
     }
 
     /** {@inheritDoc} A ray along a triangle misses it; a hit on an edge or a vertex is one. */
@@ -78,16 +90,74 @@ public final class Mesh extends Object {
 
     @Override
     public void intersect(Ray ray, int place, Hit hit) {
-        TriangleProbe probe = hit.probe();
-        Point o = ray.origin;
-        Vector d = ray.direction;
-        probe.start((o.x - offset.x) / scale, (o.y - offset.y) / scale, (o.z - offset.z) / scale, d.x / scale, d.y / scale, d.z / scale);
-        tree.walk(probe);
-        if (probe.triangle >= 0 && hit.isAfter(probe.t, place)) {
-            hit.set(probe.t, place);
-            hit.part = probe.triangle;
-            System.arraycopy(probe.weights, 0, hit.weights, 0, 3);
+        TriangleIntersector triangles = ready(ray, hit);
+        if (triangles.closest(hit.t) && hit.accepts(triangles.t, place)) {
+            set(hit, triangles.t, place, triangles.triangle, triangles);
         }
+    }
+
+    @Override
+    public boolean occludes(Ray ray, double distance, Hit scratch) {
+        return ready(ray, scratch).occluded(distance);
+    }
+
+    @Override
+    public int parts() {
+        return size();
+    }
+
+    @Override
+    public void partBounds(int part, double[] box) {
+        mesh.triangles.bounds(part, box);
+        Point low = corner(box, scale > 0 ? 0 : 3, -1);
+        Point high = corner(box, scale > 0 ? 3 : 0, 1);
+        box[0] = low.x;
+        box[1] = low.y;
+        box[2] = low.z;
+        box[3] = high.x;
+        box[4] = high.y;
+        box[5] = high.z;
+    }
+
+    @Override
+    public void intersect(Ray ray, int place, int part, Hit hit) {
+        TriangleIntersector triangles = ready(ray, hit);
+        double t = triangles.test(part);
+        if (hit.accepts(t, place) || t == hit.t && place == hit.place && part < hit.part) {
+            set(hit, t, place, part, triangles);
+        }
+    }
+
+    @Override
+    public boolean occludes(Ray ray, double distance, int part, Hit scratch) {
+        double t = ready(ray, scratch).test(part);
+        return t >= 0 && t < distance;
+    }
+
+    /** {@return what tests this mesh's triangles, made ready for a ray} */
+    private TriangleIntersector ready(Ray ray, Hit hit) {
+        TriangleIntersector triangles = hit.triangles();
+        if (triangles.mesh != this) {
+            triangles.mesh = this;
+            Point o = ray.origin;
+            Vector d = ray.direction;
+            triangles.start(mesh, (o.x - offset.x) / scale, (o.y - offset.y) / scale, (o.z - offset.z) / scale, d.x / scale, d.y / scale,
+                d.z / scale);
+        }
+        return triangles;
+    }
+
+    private static void set(Hit hit, double t, int place, int part, TriangleIntersector triangles) {
+        hit.set(t, place);
+        hit.part = part;
+        hit.weights[0] = triangles.weightA;
+        hit.weights[1] = triangles.weightB;
+        hit.weights[2] = triangles.weightC;
+    }
+
+    @Override
+    public void prepare(int threads) {
+        mesh.tree(threads);
     }
 
     /** {@inheritDoc} It is that of the nearest triangle, as flat as it is. All are looked at: {@link #surface} is the fast way. */
@@ -97,7 +167,7 @@ public final class Mesh extends Object {
         int nearest = 0;
         double distance = Double.POSITIVE_INFINITY;
         for (int i = 0; i < size(); i++) {
-            double other = tree.triangles.squaredDistance(i, place);
+            double other = mesh.triangles.squaredDistance(i, place);
             if (other < distance) {
                 nearest = i;
                 distance = other;
@@ -109,17 +179,17 @@ public final class Mesh extends Object {
     /** {@return the unit normal of a triangle} Neither moving nor scaling changes it. */
     private Vector outward(int triangle) {
         double[] n = new double[3];
-        tree.triangles.cross(triangle, n);
+        mesh.triangles.cross(triangle, n);
         return new Vector(n[0], n[1], n[2]).normalised();
     }
 
     @Override
     public void surface(Hit hit, Interaction at) {
-        double[] n = new double[3];
-        tree.triangles.cross(hit.part, n);
+        double[] n = hit.triangles().normal;
+        mesh.triangles.cross(hit.part, n);
         at.outward.set(n[0], n[1], n[2]);
         at.outward.normalise();
-        if (tree.triangles.interpolate(hit.part, hit.weights, n)) {
+        if (mesh.triangles.interpolate(hit.part, hit.weights, n)) {
             at.normal.set(n[0], n[1], n[2]);
             at.normal.normalise();
         } else {
@@ -129,10 +199,10 @@ public final class Mesh extends Object {
 
     @Override
     public Bounds bounds() {
-        double[] box = tree.box();
-        if (box.length == 0) {
+        if (size() == 0) {
             return Bounds.of(offset);
         }
+        double[] box = mesh.box;
         return Bounds.of(corner(box, 0, -1), corner(box, 3, -1), corner(box, 0, 1), corner(box, 3, 1));
     }
 
@@ -149,7 +219,7 @@ public final class Mesh extends Object {
     /** {@inheritDoc} POV-Ray's normal of a triangle points the other way, and so its vertices run the other way round. */
     @Override
     public void writePov(SceneWriter os) throws IOException {
-        Triangles all = tree.triangles;
+        Triangles all = mesh.triangles;
         os.writeString("mesh {\n");
         for (int i = 0; i < size(); i++) {
             boolean smooth = all.cornerNormals() != null && all.cornerNormals()[3 * i] >= 0;
@@ -172,7 +242,7 @@ public final class Mesh extends Object {
 
     @Override
     public boolean isSolid() {
-        return tree.triangles.isClosed();
+        return mesh.triangles.isClosed();
     }
 
     @Override
@@ -188,7 +258,7 @@ public final class Mesh extends Object {
     @Override
     public void read(SceneReader is) throws IOException {
         file = is.readQuoted("OBJ file");
-        tree = MeshFiles.of(is).load(is, file);
+        mesh = MeshFiles.of(is).load(is, file);
         is.group();
         is.enter("offset");
         offset = new Point();
@@ -200,7 +270,7 @@ public final class Mesh extends Object {
             is.reject("scale other than 0");
         } else if (Math.abs(scale) > Lengths.MOST_SCALE) {
             is.reject("scale from -1e60 to 1e60");
-        } else if (largest(tree.box()) * (1 - 2 * ROUNDINGS) * Math.abs(scale) > Lengths.MOST) {   // without the box's padding
+        } else if (largest(mesh.box) * Math.abs(scale) * (1 - ROUNDINGS) > Lengths.MOST) {
             is.reject("scale that leaves the mesh's coordinates from -1e100 to 1e100");
         }
         readMaterial(is);

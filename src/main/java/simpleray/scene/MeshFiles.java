@@ -24,7 +24,7 @@ final class MeshFiles {
     final List<SceneText.MeshFile> read = new ArrayList<>();
 
     private final Reach reach;
-    private final Map<Path, TriangleTree> trees = new HashMap<>();     // by absolute path
+    private final Map<Path, TriangleMesh> meshes = new HashMap<>();     // by absolute path
 
     MeshFiles(Reach reach) {
         this.reach = reach;
@@ -52,8 +52,8 @@ final class MeshFiles {
      * @param name the name
      * @throws IOException if that was one error too many, or the file breaks off
      */
-    TriangleTree load(SceneReader is, String name) throws IOException {
-        TriangleTree tree = new TriangleTree(Triangles.NONE);
+    TriangleMesh load(SceneReader is, String name) throws IOException {
+        TriangleMesh mesh = new TriangleMesh(Triangles.NONE);
         try {
             if (reach == Reach.FOLDER && leavesByName(name)) {
                 throw new OutOfReachException();
@@ -63,18 +63,18 @@ final class MeshFiles {
                 throw new OutOfReachException();
             }
             Path key = path.toAbsolutePath().normalize();
-            TriangleTree known = trees.get(key);
+            TriangleMesh known = meshes.get(key);
             if (known != null) {
                 return known;
             }
             List<Problem> problems = new ArrayList<>();
             try {
-                tree = new TriangleTree(ObjReader.read(path, problems::add,
+                mesh = new TriangleMesh(ObjReader.read(path, problems::add,
                     digest -> read.add(new SceneText.MeshFile(name, digest))));
             } catch (SceneFormatException e) {
                 problems.addAll(e.problems());
             }
-            trees.put(key, tree);                          // with errors too: they are reported once
+            meshes.put(key, mesh);                          // with errors too: they are reported once
             for (Problem problem : problems) {
                 is.report(problem);
             }
@@ -86,7 +86,7 @@ final class MeshFiles {
         } catch (InvalidPathException e) {
             is.reject("OBJ file that can be read (" + e.getReason() + ')');
         }
-        return tree;
+        return mesh;
     }
 
     /** {@return whether a name leaves its folder by what it says, on this system or another: a scene is the same everywhere} */

@@ -36,6 +36,16 @@ public abstract class Object implements SceneElement {
     public abstract double intersect(Ray ray);
 
     /**
+     * Finds the normal at a point of the surface without a new vector, where a kind can. Any thread may call.
+     *
+     * @param pt the point
+     * @param out gets what {@link #normal(Point)} returns
+     */
+    public void normal(Point pt, Vector out) {
+        out.copy(normal(pt));
+    }
+
+    /**
      * Offers the nearest hit of a ray. Any thread may call, each with a hit of its own. An object of many parts may look no farther than what
      * was found already.
      *
@@ -45,9 +55,58 @@ public abstract class Object implements SceneElement {
      */
     public void intersect(Ray ray, int place, Hit hit) {
         double t = intersect(ray);
-        if (hit.isAfter(t, place)) {
+        if (hit.accepts(t, place)) {
             hit.set(t, place);
         }
+    }
+
+    /** {@return how many parts it has that can be tested one by one; most have one} */
+    public int parts() {
+        return 1;
+    }
+
+    /**
+     * Finds the box of a part. To be asked only if {@link #bounds()} is not null. Any thread may call.
+     *
+     * @param part the part, from 0
+     * @param box gets xmin, ymin, zmin, xmax, ymax, zmax
+     */
+    public void partBounds(int part, double[] box) {
+        bounds().get(box);
+    }
+
+    /**
+     * Offers the hit of a ray on a part, as {@link #intersect(Ray, int, Hit)} does that on the whole.
+     *
+     * @param ray the ray
+     * @param place the object's place in the scene, from 0
+     * @param part the part, from 0
+     * @param hit becomes this object's if that comes before it
+     */
+    public void intersect(Ray ray, int place, int part, Hit hit) {
+        intersect(ray, place, hit);
+    }
+
+    /**
+     * Tells whether a ray hits a part before some distance, as {@link #occludes(Ray, double, Hit)} does of the whole.
+     *
+     * @param ray the ray
+     * @param distance the distance, in lengths of the ray's direction
+     * @param part the part, from 0
+     * @param scratch working space, the calling thread's own
+     * @return whether it does
+     */
+    public boolean occludes(Ray ray, double distance, int part, Hit scratch) {
+        return occludes(ray, distance, scratch);
+    }
+
+    /**
+     * Makes ready what hits need, if there is anything; else it is made when first it is needed.
+     *
+     * @param threads how many threads may work on it
+     */
+    public void prepare(int threads) {
+        // most objects need nothing
     }
 
     /**
@@ -76,9 +135,7 @@ public abstract class Object implements SceneElement {
      *
      * @return the box; null if the object is infinite
      */
-    public Bounds bounds() {
-        return null;
-    }
+    public abstract Bounds bounds();
 
     /**
      * Finds the normals at a hit. Any thread may call.
@@ -88,7 +145,7 @@ public abstract class Object implements SceneElement {
      *     facets look round
      */
     public void surface(Hit hit, Interaction at) {
-        at.outward.copy(normal(at.point));
+        normal(at.point, at.outward);
         at.normal.copy(at.outward);
     }
 

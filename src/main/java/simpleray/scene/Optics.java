@@ -56,9 +56,11 @@ public final class Optics {
      * @return how far the point was moved
      */
     public static double lift(Point point, Vector normal, double t) {
-        if (!(Math.abs(point.x) > LARGE || Math.abs(point.y) > LARGE || Math.abs(point.z) > LARGE || t > LARGE)) {
-            return 0;
-        }
+        boolean large = Math.abs(point.x) > LARGE || Math.abs(point.y) > LARGE || Math.abs(point.z) > LARGE || t > LARGE;
+        return large ? liftLarge(point, normal, t) : 0;
+    }
+
+    private static double liftLarge(Point point, Vector normal, double t) {
         double size = Math.max(Math.max(Math.abs(point.x), Math.abs(point.y)), Math.max(Math.abs(point.z), t));
         if (!(size < Double.POSITIVE_INFINITY)) {
             return 0;

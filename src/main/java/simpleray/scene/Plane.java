@@ -1,6 +1,7 @@
 package simpleray.scene;
 
 import java.io.IOException;
+import simpleray.math.Bounds;
 import simpleray.math.Point;
 import simpleray.math.Ray;
 import simpleray.math.Vector;
@@ -16,6 +17,8 @@ public final class Plane extends Object {
     public double constant;
     /** The normal N; need not be of unit length, must not be zero. */
     public Vector normal;
+
+    private final UnitVector unit = new UnitVector();
 
     /** Creates the floor y = 0, of the default material. */
     public Plane() {
@@ -56,6 +59,17 @@ public final class Plane extends Object {
     @Override
     public Vector normal(Point p) {
         return normal.normalised();
+    }
+
+    @Override
+    public void normal(Point p, Vector out) {
+        unit.of(normal, out);
+    }
+
+    /** {@return null: a plane is infinite} */
+    @Override
+    public Bounds bounds() {
+        return null;
     }
 
     /** {@inheritDoc} Inside is the same side there as here. */

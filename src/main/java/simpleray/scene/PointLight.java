@@ -33,6 +33,11 @@ public final class PointLight extends Light {
     }
 
     @Override
+    public Point origin() {
+        return origin;
+    }
+
+    @Override
     public void writePov(SceneWriter os, Colour colour) throws IOException {
         os.writeString("light_source { ");
         Pov.vector(os, origin.x, origin.y, origin.z);

@@ -37,8 +37,8 @@ public final class SceneHash {
             writer.flush();
             Set<Triangles> done = Collections.newSetFromMap(new IdentityHashMap<>());
             for (int i = 0; i < scene.getNumberObjects(); i++) {
-                if (scene.getObject(i) instanceof Mesh mesh && done.add(mesh.tree().triangles)) {
-                    add(digest, mesh.tree().triangles);
+                if (scene.getObject(i) instanceof Mesh mesh && done.add(mesh.mesh().triangles)) {
+                    add(digest, mesh.mesh().triangles);
                 }
             }
             return HexFormat.of().formatHex(digest.digest());

@@ -92,9 +92,15 @@ public final class Sphere extends Object {
 
     @Override
     public Vector normal(Point p) {
-        Vector out = Vector.subtract(p, centre);
-        out.normalise();
+        Vector out = new Vector();
+        normal(p, out);
         return out;
+    }
+
+    @Override
+    public void normal(Point p, Vector out) {
+        Vector.subtract(out, p, centre);
+        out.normalise();
     }
 
     @Override

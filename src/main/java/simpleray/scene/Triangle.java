@@ -48,38 +48,41 @@ public final class Triangle extends Object {
      */
     @Override
     public double intersect(Ray ray) {
-        Seen p = Seen.of(a, ray);
-        Seen q = Seen.of(b, ray);
-        Seen r = Seen.of(c, ray);
-        double u = edge(q, r);
-        double v = edge(r, p);
-        double w = edge(p, q);
-        if (!(u >= 0 && v >= 0 && w >= 0 || u <= 0 && v <= 0 && w <= 0)) {
-            return MISS;
+        Point o = ray.origin;
+        Vector d = ray.direction;
+        double dx = Math.abs(d.x);
+        double dy = Math.abs(d.y);
+        double dz = Math.abs(d.z);
+        if (dz >= dx && dz >= dy) {
+            return hit(a.x - o.x, a.y - o.y, a.z - o.z, b.x - o.x, b.y - o.y, b.z - o.z, c.x - o.x, c.y - o.y, c.z - o.z, d.x, d.y, d.z);
         }
-        double t = (u * p.t + v * q.t + w * r.t) / (u + v + w);
-        return t > THRESHOLD && t < Double.POSITIVE_INFINITY ? t : MISS;
+        return dy >= dx
+            ? hit(a.z - o.z, a.x - o.x, a.y - o.y, b.z - o.z, b.x - o.x, b.y - o.y, c.z - o.z, c.x - o.x, c.y - o.y, d.z, d.x, d.y)
+            : hit(a.y - o.y, a.z - o.z, a.x - o.x, b.y - o.y, b.z - o.z, b.x - o.x, c.y - o.y, c.z - o.z, c.x - o.x, d.y, d.z, d.x);
     }
 
     /**
-     * A vertex as the ray sees it: sheared and scaled so that the ray runs from the origin along the third axis, 1 at a time. It
-     * depends on the vertex and the ray alone, and so is the same for each triangle there. <em>Constant.</em>
+     * Finds the hit of a ray from the origin that goes fastest along the third axis. Each vertex is sheared and scaled so that the ray runs
+     * along that axis, 1 at a time; what it becomes depends on it and the ray alone, and so is the same for each triangle there.
      */
-    private record Seen(double x, double y, double t) {
-        static Seen of(Point vertex, Ray ray) {
-            Vector d = ray.direction;
-            double x = vertex.x - ray.origin.x;
-            double y = vertex.y - ray.origin.y;
-            double z = vertex.z - ray.origin.z;
-            double dx = Math.abs(d.x);
-            double dy = Math.abs(d.y);
-            double dz = Math.abs(d.z);
-            if (dz >= dx && dz >= dy) {
-                return new Seen(x - d.x / d.z * z, y - d.y / d.z * z, z / d.z);
-            }
-            return dy >= dx ? new Seen(z - d.z / d.y * y, x - d.x / d.y * y, y / d.y)
-                : new Seen(y - d.y / d.x * x, z - d.z / d.x * x, x / d.x);
+    private static double hit(double ax, double ay, double az, double bx, double by, double bz, double cx, double cy, double cz,
+            double dx, double dy, double dz) {
+        double shearX = dx / dz;
+        double shearY = dy / dz;
+        double px = ax - shearX * az;
+        double py = ay - shearY * az;
+        double qx = bx - shearX * bz;
+        double qy = by - shearY * bz;
+        double rx = cx - shearX * cz;
+        double ry = cy - shearY * cz;
+        double u = edge(qx, qy, rx, ry);
+        double v = edge(rx, ry, px, py);
+        double w = edge(px, py, qx, qy);
+        if (!(u >= 0 && v >= 0 && w >= 0 || u <= 0 && v <= 0 && w <= 0)) {
+            return MISS;
         }
+        double t = (u * (az / dz) + v * (bz / dz) + w * (cz / dz)) / (u + v + w);
+        return t > THRESHOLD && t < Double.POSITIVE_INFINITY ? t : MISS;
     }
 
     /**
@@ -87,28 +90,39 @@ public final class Triangle extends Object {
      *
      * @return twice the area that edge and ray span; its sign is exact, and the opposite for (q, p), on which all depends
      */
-    private static double edge(Seen p, Seen q) {
-        double one = p.x * q.y;
-        double other = p.y * q.x;
+    private static double edge(double px, double py, double qx, double qy) {
+        double one = px * qy;
+        double other = py * qx;
         if (one != other) {                                   // rounding never swaps the two, at most it makes them equal
             return one - other;
         }
-        return Math.fma(p.x, q.y, -one) - Math.fma(p.y, q.x, -other);
+        return Math.fma(px, qy, -one) - Math.fma(py, qx, -other);
     }
 
     @Override
     public Vector normal(Point p) {
-        Point[] v = scaled();
-        Vector out = Vector.cross(Vector.subtract(v[1], v[0]), Vector.subtract(v[2], v[0]));
-        out.normalise();
+        Vector out = new Vector();
+        normal(p, out);
         return out;
     }
 
-    /** {@return the vertices, scaled by a power of two so that products of small or large ones are no 0 or infinity} */
-    private Point[] scaled() {
+    @Override
+    public void normal(Point p, Vector out) {
+        double scale = scale();
+        double ux = b.x * scale - a.x * scale;
+        double uy = b.y * scale - a.y * scale;
+        double uz = b.z * scale - a.z * scale;
+        double vx = c.x * scale - a.x * scale;
+        double vy = c.y * scale - a.y * scale;
+        double vz = c.z * scale - a.z * scale;
+        out.set(uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx);
+        out.normalise();
+    }
+
+    /** {@return a power of two by which the vertices are scaled so that products of small or large ones are no 0 or infinity} */
+    private double scale() {
         double largest = Math.max(largest(a), Math.max(largest(b), largest(c)));
-        double scale = Math.scalb(1.0, -Math.getExponent(largest));
-        return new Point[] {scaled(a, scale), scaled(b, scale), scaled(c, scale)};
+        return Math.scalb(1.0, -Math.getExponent(largest));
     }
 
     private static double largest(Point p) {
@@ -121,7 +135,8 @@ public final class Triangle extends Object {
 
     /** {@return whether the vertices are on one line, or would be but for the rounding of their decimals} */
     private boolean isFlat() {
-        Point[] v = scaled();
+        double scale = scale();
+        Point[] v = {scaled(a, scale), scaled(b, scale), scaled(c, scale)};
         return isFlat(v[0].x, v[0].y, v[1].x, v[1].y, v[2].x, v[2].y)
             && isFlat(v[0].y, v[0].z, v[1].y, v[1].z, v[2].y, v[2].z)
             && isFlat(v[0].z, v[0].x, v[1].z, v[1].x, v[2].z, v[2].x);

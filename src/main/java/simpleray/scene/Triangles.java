@@ -25,6 +25,40 @@ record Triangles(double[] vertices, int[] corners, double[] normals, int[] corne
         return corners.length / 3;
     }
 
+    /**
+     * Finds the box of a triangle.
+     *
+     * @param triangle the triangle
+     * @param box gets xmin, ymin, zmin, xmax, ymax, zmax
+     */
+    void bounds(int triangle, double[] box) {
+        int a = 3 * corners[3 * triangle];
+        int b = 3 * corners[3 * triangle + 1];
+        int c = 3 * corners[3 * triangle + 2];
+        for (int axis = 0; axis < 3; axis++) {
+            double p = vertices[a + axis];
+            double q = vertices[b + axis];
+            double r = vertices[c + axis];
+            box[axis] = Math.min(p, Math.min(q, r));
+            box[axis + 3] = Math.max(p, Math.max(q, r));
+        }
+    }
+
+    /** {@return the box of all triangles: xmin, ymin, zmin, xmax, ymax, zmax} */
+    double[] bounds() {
+        double[] all = {Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY,
+            Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY};
+        double[] box = new double[6];
+        for (int i = 0; i < count(); i++) {
+            bounds(i, box);
+            for (int axis = 0; axis < 3; axis++) {
+                all[axis] = Math.min(all[axis], box[axis]);
+                all[axis + 3] = Math.max(all[axis + 3], box[axis + 3]);
+            }
+        }
+        return all;
+    }
+
     /** {@return whether each edge of a triangle is another's in the other direction, so that they have an inside} */
     boolean isClosed() {
         Set<Long> edges = new HashSet<>();

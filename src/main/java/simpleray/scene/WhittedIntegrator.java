@@ -11,6 +11,8 @@ import simpleray.math.Vector;
  * Whitted, "An improved illumination model for shaded display", 1980). This is the only place that shades. <em>Mutable</em>: one thread's own.
  */
 public final class WhittedIntegrator implements Integrator {
+    private static final Colour BLACK = new Colour();
+
     private final Scene scene;
     private final Intersector intersector;
     private final Terms terms;
@@ -20,11 +22,6 @@ public final class WhittedIntegrator implements Integrator {
     private final Light[] lights;
     private final Hit hit = new Hit();
     private final Colour arriving = new Colour();
-    private final Colour ambient = new Colour();
-    private final Colour diffuse = new Colour();
-    private final Colour specular = new Colour();
-    private final Colour scattered = new Colour();
-    private final Colour highlight = new Colour();
     private final Vector halfway = new Vector();
     private Bounce[] bounces = {};                            // no objects are made for a ray
 
@@ -66,31 +63,66 @@ public final class WhittedIntegrator implements Integrator {
         return trace(ray, colour, depth, 0);
     }
 
+    /**
+     * Whitted's recursion. What a surface shows by itself, what its mirror shows times Ks, and what is seen through it times Kt; where no light
+     * gets through, the mirror has that share, too. One method, too long for HotSpot to put into itself: so it is compiled soon.
+     */
     private boolean trace(Ray ray, Colour colour, int depth, int level) {
         stats.ray(level);
         if (recorder != null) {
             recorder.begin(ray, depth, level);
         }
-        colour.reset();
         boolean hits = intersector.intersect(ray, hit);
         if (hits) {
             Bounce bounce = bounce(level);
-            bounce.at.set(ray, hit, scene.getObject(hit.place));
+            Interaction at = bounce.at;
+            at.set(ray, hit, scene.getObject(hit.place));
             if (recorder != null) {
-                recorder.hit(ray, bounce.at);
+                recorder.hit(ray, at);
             }
-            addLocal(colour, ray, bounce.at);
-            int most = Math.min(depth, bounce.at.object.surfaceMaterial.reflections());
-            if (terms.reflections() && most > 0) {
-                addBounces(colour, ray, bounce, most - 1, level);
+            setLocal(colour, ray, at);
+            Material material = at.object.surfaceMaterial;
+            int bounces = Math.min(depth, material.reflections());
+            if (terms.reflections() && bounces > 0) {
+                Colour share = bounce.share;
+                Ray next = bounce.next;
+                boolean passes = !material.transmission.isBlack()
+                    && Optics.refract(bounce.bent, ray.direction, at.normal, at.enters ? 1 / material.index : material.index);
+                share.copy(material.specular);
+                if (!passes) {
+                    share.add(material.transmission);
+                }
+                if (!share.isBlack()) {
+                    stats.reflected++;
+                    Optics.mirror(next.direction, ray.direction, at.normal);
+                    trace(next, bounce.seen, bounces - 1, level + 1);
+                    addSeen(colour, bounce, false);
+                }
+                if (passes) {
+                    stats.refracted++;
+                    share.copy(material.transmission);
+                    next.direction.copy(bounce.bent);
+                    at.sink();
+                    trace(next, bounce.seen, bounces - 1, level + 1);
+                    addSeen(colour, bounce, true);
+                }
             }
-        } else if (terms.ambient() && scene.settings.background != null) {
-            colour.copy(scene.settings.background);
+        } else {
+            boolean shown = terms.ambient() && scene.settings.background != null;
+            colour.copy(shown ? scene.settings.background : BLACK);
         }
         if (recorder != null) {
             recorder.end(colour);
         }
         return hits;
+    }
+
+    private void addSeen(Colour colour, Bounce bounce, boolean refracted) {
+        bounce.seen.mult(bounce.share);
+        colour.add(bounce.seen);
+        if (recorder != null) {
+            recorder.followed(bounce.share, bounce.seen, refracted);
+        }
     }
 
     private Bounce bounce(int level) {
@@ -102,81 +134,58 @@ public final class WhittedIntegrator implements Integrator {
     }
 
     /**
-     * Adds the local colour, Ka·GA + Σ LC (Kd (N·L) + Ks (N·H)^shininess) over the lights that reach the surface (thesis, chapter 4). The
+     * Finds the local colour, Ka·GA + Σ LC (Kd (N·L) + Ks (N·H)^shininess) over the lights that reach the surface (thesis, chapter 4). The
      * three terms are summed apart, so that pictures of each add up to the picture of all to the last bit.
      */
-    private void addLocal(Colour colour, Ray ray, Interaction at) {
+    private void setLocal(Colour colour, Ray ray, Interaction at) {
         Material material = at.object.surfaceMaterial;
-        boolean shiny = terms.specular() && !material.specular.isBlack();
-        diffuse.reset();
-        specular.reset();
+        Colour kd = material.diffuse;
+        Colour ks = material.specular;
+        boolean shiny = terms.specular() && !ks.isBlack();
+        double diffuseR = 0;                                  // numbers in place of colours: HotSpot keeps them in registers
+        double diffuseG = 0;
+        double diffuseB = 0;
+        double specularR = 0;
+        double specularG = 0;
+        double specularB = 0;
         for (int i = 0; i < lights.length && (terms.lights() || recorder != null); i++) {
             arriving.copy(lights[i].intensity);
             boolean lit = visibility.reaches(lights[i], i, at, arriving);
+            double facing = lit && terms.diffuse() ? visibility.facing : 0;
+            double highlight = 0;
             double cosine = 0;
-            scattered.reset();
-            highlight.reset();
-            if (lit && terms.diffuse()) {
-                Colour.mult(scattered, material.diffuse, arriving);
-                scattered.scale(visibility.facing);
-                diffuse.add(scattered);
-            }
             if (lit && shiny || recorder != null) {
                 Vector.subtract(halfway, visibility.towards, ray.direction);
                 halfway.normalise();
                 cosine = at.normal.dot(halfway);
+                highlight = lit && shiny ? Powers.power(Math.min(1, Math.max(0, cosine)), material.shininess) : 0;
             }
-            if (lit && shiny) {
-                Colour.mult(highlight, material.specular, arriving);
-                highlight.scale(Powers.power(Math.min(1, Math.max(0, cosine)), material.shininess));
-                specular.add(highlight);
-            }
+            double r = facing == 0 ? 0 : kd.r * arriving.r * facing;
+            double g = facing == 0 ? 0 : kd.g * arriving.g * facing;
+            double b = facing == 0 ? 0 : kd.b * arriving.b * facing;
+            double shineR = highlight == 0 ? 0 : ks.r * arriving.r * highlight;
+            double shineG = highlight == 0 ? 0 : ks.g * arriving.g * highlight;
+            double shineB = highlight == 0 ? 0 : ks.b * arriving.b * highlight;
+            diffuseR += r;
+            diffuseG += g;
+            diffuseB += b;
+            specularR += shineR;
+            specularG += shineG;
+            specularB += shineB;
             if (recorder != null) {
-                recorder.light(i, visibility, arriving, halfway, cosine, scattered, highlight);
+                recorder.light(i, visibility, arriving, halfway, cosine, new Colour(r, g, b), new Colour(shineR, shineG, shineB));
             }
         }
-        ambient.reset();
-        if (terms.ambient()) {
-            Colour.mult(ambient, material.ambient, scene.ambient);
-        }
-        colour.add(ambient);
-        colour.add(diffuse);
-        colour.add(specular);
+        boolean ambient = terms.ambient();
+        double ambientR = ambient ? material.ambient.r * scene.ambient.r : 0;
+        double ambientG = ambient ? material.ambient.g * scene.ambient.g : 0;
+        double ambientB = ambient ? material.ambient.b * scene.ambient.b : 0;
+        colour.r = ambientR + diffuseR + specularR;
+        colour.g = ambientG + diffuseG + specularG;
+        colour.b = ambientB + diffuseB + specularB;
         if (recorder != null) {
-            recorder.lit(ambient, diffuse, specular);
-        }
-    }
-
-    /** Adds what is seen in the mirror's direction, times Ks, and through the surface, times Kt. */
-    private void addBounces(Colour colour, Ray ray, Bounce bounce, int depth, int level) {
-        Interaction at = bounce.at;
-        Material material = at.object.surfaceMaterial;
-        boolean passes = !material.transmission.isBlack()
-            && Optics.refract(bounce.bent, ray.direction, at.normal, at.enters ? 1 / material.index : material.index);
-        bounce.share.copy(material.specular);
-        if (!passes) {                                        // total internal reflection: what cannot pass is mirrored
-            bounce.share.add(material.transmission);
-        }
-        if (!bounce.share.isBlack()) {
-            stats.reflected++;
-            Optics.mirror(bounce.next.direction, ray.direction, at.normal);
-            addSeen(colour, bounce, false, depth, level);
-        }
-        if (passes) {
-            stats.refracted++;
-            bounce.share.copy(material.transmission);
-            bounce.next.direction.copy(bounce.bent);
-            at.sink();
-            addSeen(colour, bounce, true, depth, level);
-        }
-    }
-
-    private void addSeen(Colour colour, Bounce bounce, boolean refracted, int depth, int level) {
-        trace(bounce.next, bounce.seen, depth, level + 1);
-        bounce.seen.mult(bounce.share);
-        colour.add(bounce.seen);
-        if (recorder != null) {
-            recorder.followed(bounce.share, bounce.seen, refracted);
+            recorder.lit(new Colour(ambientR, ambientG, ambientB), new Colour(diffuseR, diffuseG, diffuseB),
+                new Colour(specularR, specularG, specularB));
         }
     }
 }

@@ -16,6 +16,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import simpleray.Rendered;
+import simpleray.scene.Kinds;
 
 /** A Java with 32 MiB of memory, or as much as a test says, and demands that are greater. */
 @Timeout(value = 60, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
@@ -31,7 +32,7 @@ class LittleMemoryTest {
         Program.Result result = run(line.split(" "));
 
         assertThat(result.err()).isEqualTo("boast.scene:3:1: error: "
-            + "expected object 2's type (0 sphere, 1 plane, 2 triangle, 3 cylinder, 4 mesh; 2000000000 objects announced), "
+            + "expected object 2's type (" + Kinds.objects() + "; 2000000000 objects announced), "
             + "found the end of the file\n\n^\n");
         assertThat(result.exitCode()).isEqualTo(ExitCode.BAD_SCENE);
     }

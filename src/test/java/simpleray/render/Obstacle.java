@@ -3,6 +3,7 @@ package simpleray.render;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.ToDoubleFunction;
+import simpleray.math.Bounds;
 import simpleray.math.Point;
 import simpleray.math.Ray;
 import simpleray.math.Vector;
@@ -40,6 +41,11 @@ final class Obstacle extends Object {
     @Override
     public Vector normal(Point pt) {
         return new Vector(0, 0, 1);
+    }
+
+    @Override
+    public Bounds bounds() {
+        return null;
     }
 
     @Override

@@ -75,4 +75,15 @@ class BruteForceIntersectorTest {
         assertThat(left.isBlack()).isTrue();
         assertThat(intersector.between(AHEAD, Double.POSITIVE_INFINITY)).as("up to what lets nothing through").containsExactly(0);
     }
+
+    /** A mesh is made ready for one ray at a time. */
+    @Test
+    void eachRayIsAskedAnewWhatIsBetween() {
+        Triangles square = new Triangles(new double[] {-1, -1, 0, 1, -1, 0, 0, 2, 0}, new int[] {0, 1, 2}, new double[0], null);
+        BruteForceIntersector mesh = new BruteForceIntersector(Scenes.of(new Mesh(new Material(), "x", new Point(), 1, square)));
+
+        assertThat(mesh.between(AHEAD, 20)).containsExactly(0);
+        assertThat(mesh.between(ray(9, 9, 8, 0, 0, -1), 20)).isEmpty();
+        assertThat(mesh.between(ray(0.1, 0, -3, 0, 0, 1), 20)).containsExactly(0);
+    }
 }

@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.within;
 import static simpleray.scene.Scenes.ray;
 
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import simpleray.math.Bounds;
 import simpleray.math.Point;
 import simpleray.math.Vector;
@@ -219,6 +221,15 @@ class CylinderTest {
         assertThat(coin.normal(new Point(0, 1e-9, 0))).hasToString("[0.0,1.0,0.0]");
         assertThat(coin.normal(new Point(0, 0, 0)).y).isEqualTo(-1);
         assertThat(coin.normal(new Point(0, 0.5e-9, 1))).hasToString("[0.0,0.0,1.0]");
+    }
+
+    /** The square of the axis is no double there, or one of few digits. */
+    @ParameterizedTest
+    @ValueSource(doubles = {1e-170, 1e-160, 1e160})
+    void theAxisMayBeOfAnyLength(double length) {
+        Cylinder cylinder = new Cylinder(new Material(), new Point(), new Point(0, 0, length), 1);
+        assertThat(cylinder.intersect(ray(3, 0, length / 2, -1, 0, 0))).isEqualTo(2);
+        assertThat(cylinder.normal(new Point(1, 0, length / 2))).hasToString("[1.0,0.0,0.0]");
     }
 
     @Test

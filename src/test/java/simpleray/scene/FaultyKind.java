@@ -4,6 +4,7 @@ import java.io.FileDescriptor;
 import java.io.FileOutputStream;
 import java.io.IOException;
 import simpleray.cli.Main;
+import simpleray.math.Bounds;
 import simpleray.math.Point;
 import simpleray.math.Ray;
 import simpleray.math.Vector;
@@ -41,6 +42,11 @@ public final class FaultyKind extends Object {
     @Override
     public Vector normal(Point pt) {
         throw new IllegalStateException("nothing hits this");
+    }
+
+    @Override
+    public Bounds bounds() {
+        return null;
     }
 
     @Override

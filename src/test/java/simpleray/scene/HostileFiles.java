@@ -27,7 +27,7 @@ final class HostileFiles {
      */
     public static void main(String[] args) throws IOException {
         for (Path file : all()) {
-            Files.writeString(expected(file), outcome(file));
+            Files.writeString(expected(file), outcome(file).replace(Kinds.objects(), Kinds.OBJECTS));
         }
     }
 
@@ -67,8 +67,8 @@ final class HostileFiles {
             + LightKind.TABLE.counted(file.scene().getNumberLights());
     }
 
-    /** {@return a text file as it is} */
-    static String text(Path file) throws IOException {
-        return Files.readString(file, StandardCharsets.UTF_8);
+    /** {@return what is to be said of a file} */
+    static String told(Path file) throws IOException {
+        return Files.readString(expected(file), StandardCharsets.UTF_8).replace(Kinds.OBJECTS, Kinds.objects());
     }
 }

@@ -53,6 +53,16 @@ class MeshTest {
     }
 
     @Test
+    void aMeshOfNoFileIsWhatItsNumbersSay() {
+        Mesh tetrahedron = Mesh.of(new Material(), new double[] {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1},
+            new int[] {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3});
+        assertThat(tetrahedron.size()).isEqualTo(4);
+        assertThat(tetrahedron.isSolid()).isTrue();
+        assertThat(tetrahedron.intersect(ray(0.25, 0.25, 5, 0, 0, -1))).isEqualTo(4.5, within(ROUNDING));
+        assertThat(tetrahedron.normal(new Point(0.25, 0.25, 0)).z).isEqualTo(-1);
+    }
+
+    @Test
     void rayHitsTheNearSide() throws IOException {
         assertThat(cube().intersect(ray(0.25, 0.5, 5, 0, 0, -1))).isEqualTo(4);
         assertThat(cube().intersect(ray(5, 0.5, 0.25, -1, 0, 0))).isEqualTo(4);

@@ -74,7 +74,7 @@ class MeshTextTest {
     @Test
     void aFileUsedTwiceIsReadOnce() throws IOException {
         Scene read = read("2\n4 \"cube #1.obj\" 0 0 0 1 " + MATERIAL + "\n4 \"./cube #1.obj\" 5 0 0 2 " + END);
-        assertThat(read.getObject(0)).extracting("tree").isSameAs(((Mesh) read.getObject(1)).tree());
+        assertThat(read.getObject(0)).extracting("mesh").isSameAs(((Mesh) read.getObject(1)).mesh());
         assertThat(read.getObject(1).intersect(Scenes.ray(5.5, 0.5, 9, 0, 0, -1))).isEqualTo(7);
     }
 

@@ -69,8 +69,8 @@ class RecountTest {
     void whatWouldBeWrongWithAnyNumbersIsToldAsItWasFound() {
         SceneFormatException e = refusal(scene(2, SPHERE, 1, "0  1 x 1  0 5 0\n"));
 
-        assertThat(e.problems()).extracting(Problem::message).containsExactly("expected object 2's type (0 sphere, 1 plane, 2 triangle, "
-            + "3 cylinder, 4 mesh; 2 objects announced), found '0.3' (an integer has only digits)");
+        assertThat(e.problems()).extracting(Problem::message).containsExactly("expected object 2's type (" + Kinds.objects()
+            + "; 2 objects announced), found '0.3' (an integer has only digits)");
     }
 
     @Test

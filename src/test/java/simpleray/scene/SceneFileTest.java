@@ -63,11 +63,11 @@ class SceneFileTest {
 
     @Test
     void aFileThatIsNoSceneSaysWhy() throws IOException {
-        Path path = Files.writeString(folder.resolve("a.scene"), "1\n5");
+        Path path = Files.writeString(folder.resolve("a.scene"), "1\n98");
 
         assertThatThrownBy(() -> SceneFile.read(path)).isInstanceOf(SceneFormatException.class).hasMessage(
-            path + ":2:1: error: expected object 1's type (0 sphere, 1 plane, 2 triangle, 3 cylinder, 4 mesh; 1 object announced), found '5'"
-                + "\n5\n^");
+            path + ":2:1: error: expected object 1's type (" + Kinds.objects() + "; 1 object announced), found '98'"
+                + "\n98\n^");
     }
 
     @Test

@@ -63,7 +63,7 @@ public final class SceneFuzzer {
     static IOException outcome(byte[] data) throws IOException {
         try {
             if (data.length > 1 && OBJ_KEYWORDS.indexOf(data[0]) >= 0) {
-                new TriangleTree(ObjReader.read(new ByteArrayInputStream(data), "<obj>", warning -> check(warning, false)));
+                new TriangleMesh(ObjReader.read(new ByteArrayInputStream(data), "<obj>", warning -> check(warning, false))).tree();
             } else {
                 SceneFile.read(new ByteArrayInputStream(data)).warnings().forEach(warning -> check(warning, false));
             }

@@ -70,6 +70,11 @@ class SceneLinesTest {
         }
 
         @Override
+        public simpleray.math.Bounds bounds() {
+            return null;
+        }
+
+        @Override
         public void print(simpleray.text.SceneWriter os) {
         }
 

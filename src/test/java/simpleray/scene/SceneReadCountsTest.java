@@ -21,9 +21,9 @@ class SceneReadCountsTest {
     void tooFewObjectsAreNoticedWhereATypeShouldStand() {
         // the ambient light's first number is taken for the type of the missing object
         assertThatThrownBy(() -> read("2\n" + SPHERE + AMBIENT + "0")).hasMessage("""
-            <stdin>:3:1: error: expected object 2's type (0 sphere, 1 plane, 2 triangle, 3 cylinder, 4 mesh; 2 objects announced), found '0.3' (an integer has only digits)
+            <stdin>:3:1: error: expected object 2's type (%s; 2 objects announced), found '0.3' (an integer has only digits)
             0.3 0.3 0.3
-            ^""");
+            ^""".formatted(Kinds.objects()));
     }
 
     @Test
@@ -61,11 +61,11 @@ class SceneReadCountsTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"-1, ''", "9, ''", "0.0, (an integer has only digits)", "1e0, (an integer has only digits)",
+    @CsvSource({"-1, ''", "98, ''", "0.0, (an integer has only digits)", "1e0, (an integer has only digits)",
         "2147483648, (more than 2147483647)"})
     void anUnknownTypeOfObjectIsAnError(String type, String why) {
         assertThatThrownBy(() -> read("1\n" + type + " 0 0 0 1")).hasMessage(
-            "<stdin>:2:1: error: expected object 1's type (0 sphere, 1 plane, 2 triangle, 3 cylinder, 4 mesh; 1 object announced), found '"
+            "<stdin>:2:1: error: expected object 1's type (" + Kinds.objects() + "; 1 object announced), found '"
                 + type + "'" + (why.isEmpty() ? "" : ' ' + why) + '\n' + type + " 0 0 0 1\n^");
     }
 
@@ -86,13 +86,13 @@ class SceneReadCountsTest {
 
     @Test
     void errorsBeforeABadCodeAreReportedWithIt() {
-        assertThatThrownBy(() -> read("2\n0 0 0 x 1 1 1 1 1 1 1 0 0 0 2\n7")).hasMessage("""
+        assertThatThrownBy(() -> read("2\n0 0 0 x 1 1 1 1 1 1 1 0 0 0 2\n97")).hasMessage("""
             <stdin>:2:7: error: expected object 1's centre z, found 'x'
             0 0 0 x 1 1 1 1 1 1 1 0 0 0 2
                   ^
-            <stdin>:3:1: error: expected object 2's type (0 sphere, 1 plane, 2 triangle, 3 cylinder, 4 mesh; 2 objects announced), found '7'
-            7
-            ^""");
+            <stdin>:3:1: error: expected object 2's type (%s; 2 objects announced), found '97'
+            97
+            ^""".formatted(Kinds.objects()));
     }
 
     @Test

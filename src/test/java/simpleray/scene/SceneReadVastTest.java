@@ -36,10 +36,10 @@ class SceneReadVastTest {
     void aVastNumberOfObjectsFailsAtTheFirstThatIsMissing() {
         assertThatThrownBy(() -> read("2000000000\n" + SPHERE.strip())).hasMessage("""
             <stdin>:2:35: error: expected object 2's type \
-            (0 sphere, 1 plane, 2 triangle, 3 cylinder, 4 mesh; 2000000000 objects announced), \
+            (%s; 2000000000 objects announced), \
             found the end of the file
             0  0 0 0 1  1 1 1  1 1 1  0 0 0  2
-                                              ^""");
+                                              ^""".formatted(Kinds.objects()));
     }
 
     @Test

@@ -9,6 +9,7 @@ import java.io.IOException;
 import java.util.Random;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import simpleray.math.Bounds;
 import simpleray.math.Colour;
 import simpleray.math.Point;
 import simpleray.math.Ray;
@@ -114,6 +115,11 @@ class SceneRoundTripTest {
         @Override
         public Vector normal(Point pt) {
             return new Vector(0, 0, 1);
+        }
+
+        @Override
+        public Bounds bounds() {
+            return null;
         }
 
         @Override

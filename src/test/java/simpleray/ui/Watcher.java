@@ -1,6 +1,7 @@
 package simpleray.ui;
 
 import java.util.function.Consumer;
+import simpleray.math.Bounds;
 import simpleray.math.Point;
 import simpleray.math.Ray;
 import simpleray.math.Vector;
@@ -27,6 +28,11 @@ final class Watcher extends Object {
     @Override
     public Vector normal(Point pt) {
         throw new IllegalStateException("nothing hits this");
+    }
+
+    @Override
+    public Bounds bounds() {
+        return null;
     }
 
     @Override

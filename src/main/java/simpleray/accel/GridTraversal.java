@@ -3,13 +3,21 @@ package simpleray.accel;
 import simpleray.math.Ray;
 
 /**
- * Follows rays through a {@link Grid}, from cell to cell (Amanatides and Woo, "A Fast Voxel Traversal Algorithm for Ray Tracing", 1987).
+ * Follows rays through a {@link UniformGrid}, from cell to cell (Amanatides and Woo, "A Fast Voxel Traversal Algorithm for Ray Tracing", 1987).
  * <em>Mutable</em>: one thread's own.
  */
-final class GridWalk extends Walk {
-    private final Grid grid;
+public final class GridTraversal {
+    /** A component of a direction that is smaller moves no ray; its reciprocal would make numbers infinite, and their differences none. */
+    private static final double STILL = 1e-200;
 
-    // where a ray enters, and how it goes on
+    /** How many cells rays came to. */
+    public long steps;
+
+    private final UniformGrid grid;
+    private final CellIntersector cells;
+    private final LeafIntersector leaves;
+
+    // where a ray enters, and how it goes on; in units of the grid
     private int column;
     private int row;
     private int layer;
@@ -20,21 +28,62 @@ final class GridWalk extends Walk {
     private double deltaY;
     private double deltaZ;
 
-    GridWalk(Grid grid, Finder finder) {
-        super(finder, grid.boxes);
+    /**
+     * Creates a traversal.
+     *
+     * @param grid the grid
+     * @param cells tests the primitives of a cell
+     * @param leaves tests all primitives, for rays that are too far away to be followed
+     */
+    public GridTraversal(UniformGrid grid, CellIntersector cells, LeafIntersector leaves) {
         this.grid = grid;
+        this.cells = cells;
+        this.leaves = leaves;
+    }
+
+    /**
+     * Shows all primitives that may be hit no farther than the nearest hit.
+     *
+     * @param ray the ray
+     * @param limit how far the nearest hit is that was found already; infinite if there is none
+     */
+    public void closest(Ray ray, double limit) {
+        if (!canFollow(ray)) {
+            leaves.closest(0, grid.primitives);
+        } else if (enter(ray, limit)) {
+            follow(ray, limit, false);
+        }
+    }
+
+    /**
+     * Shows primitives that may be hit before some distance, until nothing more gets through.
+     *
+     * @param ray the ray
+     * @param distance the distance
+     * @return whether nothing more gets through
+     */
+    public boolean occluded(Ray ray, double distance) {
+        return canFollow(ray) ? enter(ray, distance) && follow(ray, distance, true) : leaves.occluded(0, grid.primitives);
+    }
+
+    /** {@return whether a ray starts so near that it can be followed; else all primitives must be tested} */
+    private boolean canFollow(Ray ray) {
+        double[] middle = grid.middle;
+        return Math.max(Math.abs(ray.origin.x - middle[0]), Math.max(Math.abs(ray.origin.y - middle[1]),
+            Math.abs(ray.origin.z - middle[2]))) <= PrimitiveBounds.MAX_DISTANCE * grid.extent;
     }
 
     /** Brings a ray to its first cell; false if it passes by, or gets there only beyond a limit. */
     private boolean enter(Ray ray, double limit) {
-        double[] middle = grid.boxes.middle;
+        double[] middle = grid.middle;
         double[] half = grid.half;
-        double x = ray.origin.x - middle[0];
-        double y = ray.origin.y - middle[1];
-        double z = ray.origin.z - middle[2];
-        double dx = ray.direction.x;
-        double dy = ray.direction.y;
-        double dz = ray.direction.z;
+        double unit = 1 / grid.extent;
+        double x = (ray.origin.x - middle[0]) * unit;
+        double y = (ray.origin.y - middle[1]) * unit;
+        double z = (ray.origin.z - middle[2]) * unit;
+        double dx = moving(ray.direction.x * unit);
+        double dy = moving(ray.direction.y * unit);
+        double dz = moving(ray.direction.z * unit);
         double ix = 1 / dx;
         double iy = 1 / dy;
         double iz = 1 / dz;
@@ -66,20 +115,12 @@ final class GridWalk extends Walk {
         return true;
     }
 
-    @Override
-    void nearest(Ray ray) {
-        if (enter(ray, finder.t)) {
-            follow(ray, 0, false);
-        }
-    }
-
-    @Override
-    int blocker(Ray ray, double distance) {
-        return enter(ray, distance) ? follow(ray, distance, true) : Finder.NONE;
+    private static double moving(double d) {
+        return Math.abs(d) < STILL ? 0 : d;
     }
 
     /** Goes from cell to cell until the nearest hit lies behind, or (for a shadow) something blocks or the light is reached. */
-    private int follow(Ray ray, double distance, boolean shadow) {
+    private boolean follow(Ray ray, double limit, boolean shadow) {
         int[] starts = grid.starts;
         int wide = grid.cells[0];
         int slice = wide * grid.cells[1];
@@ -93,19 +134,19 @@ final class GridWalk extends Walk {
         double tx = nextX;
         double ty = nextY;
         double tz = nextZ;
-        int blocker = Finder.NONE;
+        double far = limit;
+        boolean blocked = false;
         int visited = 0;
         while (true) {
             visited++;
             if (shadow) {
-                blocker = finder.blockerOfList(ray, distance, grid.places, starts[cell], starts[cell + 1]);
-                if (blocker != Finder.NONE) {
+                blocked = cells.occluded(grid.places, starts[cell], starts[cell + 1]);
+                if (blocked) {
                     break;
                 }
             } else {
-                finder.nearestOfList(ray, grid.places, starts[cell], starts[cell + 1]);
+                far = cells.closest(grid.places, starts[cell], starts[cell + 1]);
             }
-            double far = shadow ? distance : finder.t;
             if (tx < ty && tx < tz) {
                 if (far <= tx || --leftX < 0) {
                     break;
@@ -126,7 +167,7 @@ final class GridWalk extends Walk {
                 cell += stepZ;
             }
         }
-        finder.stats.steps += visited;
-        return blocker;
+        steps += visited;
+        return blocked;
     }
 }

@@ -9,6 +9,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Random;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -17,8 +18,8 @@ import simpleray.math.Point;
 import simpleray.math.Ray;
 import simpleray.math.Vector;
 
-/** The tree finds what the plain loop over all triangles finds, and lets no ray through a closed surface. */
-class TriangleTreeTest {
+/** The tree finds what the plain loop over all triangles finds, at any scale, and lets no ray through a closed surface. */
+class TriangleMeshTest {
     private static final long SEED = 2013;
     private static final int RAYS = 100_000;
 
@@ -29,24 +30,102 @@ class TriangleTreeTest {
         int hits = 0;
         for (int scene = 0; scene < 10; scene++) {
             Triangles triangles = scene % 2 == 0 ? soup(random, 20 + 40 * scene) : icosphere(2);
-            TriangleTree tree = new TriangleTree(triangles);
+            TriangleMesh mesh = new TriangleMesh(triangles);
             for (int i = 0; i < RAYS / 10; i++) {
-                TriangleProbe walked = probe(random, triangles);
-                TriangleProbe looped = new TriangleProbe();
-                looped.start(walked.ox, walked.oy, walked.oz, walked.dx, walked.dy, walked.dz);
-                tree.walk(walked);
-                for (int n = 0; n < triangles.count(); n++) {
-                    int[] c = triangles.corners();
-                    looped.look(triangles.vertices(), 3 * c[3 * n], 3 * c[3 * n + 1], 3 * c[3 * n + 2], n);
-                }
-                if (walked.triangle != looped.triangle || Double.doubleToLongBits(walked.t) != Double.doubleToLongBits(looped.t)) {
-                    fail("scene %d, ray %d: the tree finds triangle %d at %s, the loop %d at %s".formatted(
-                        scene, i, walked.triangle, walked.t, looped.triangle, looped.t));
-                }
-                hits += walked.triangle < 0 ? 0 : 1;
+                hits += compared(mesh, ray(random, triangles), "scene " + scene + ", ray " + i);
             }
         }
         assertThat(hits).as("enough of them hit").isGreaterThan(RAYS / 4);
+    }
+
+    /** Coordinates from 1e-30 to 1e30, about the origin or far from it, rays from near and from far away. */
+    @ParameterizedTest
+    @ValueSource(doubles = {1e-30, 1e-12, 1e-3, 1e3, 1e12, 1e30})
+    void soItDoesAtAnyScale(double scale) {
+        Random random = new Random(SEED);
+        int hits = 0;
+        for (int scene = 0; scene < 8; scene++) {
+            double[] away = {0, 0, 0};
+            if (scene % 2 == 1) {
+                away = random.doubles(3, -1e4 * scale, 1e4 * scale).toArray();
+            }
+            Triangles unit = scene % 4 < 2 ? soup(random, 100) : icosphere(2);
+            Triangles triangles = moved(unit, scale, away);
+            TriangleMesh mesh = new TriangleMesh(triangles);
+            for (int i = 0; i < 1000; i++) {
+                double[] ray = ray(random, unit);
+                double farther = i % 5 == 0 ? Math.pow(10, random.nextInt(10)) : 1;
+                for (int axis = 0; axis < 3; axis++) {
+                    ray[axis] = (ray[axis] - farther * ray[axis + 3]) * scale + away[axis];
+                    ray[axis + 3] *= scale;
+                }
+                hits += compared(mesh, ray, "seed " + SEED + ", scene " + scene + ", ray " + i);
+            }
+        }
+        assertThat(hits).as("enough of them hit").isGreaterThan(1000);
+    }
+
+    /** Such a ray sees triangles as lines, and rounding decides what it hits: but nothing that lies far from it. */
+    @Test
+    void soItDoesForRaysWithinThePlaneOfTheTriangles() {
+        Random random = new Random(SEED);
+        for (int scene = 0; scene < 20; scene++) {
+            double[] u = random.doubles(3, -1, 1).toArray();
+            double[] v = random.doubles(3, -1, 1).toArray();
+            double[] corners = new double[9 * 100];
+            for (int corner = 0; corner < 300; corner++) {
+                double alongU = 10 * random.nextDouble();
+                double alongV = 10 * random.nextDouble();
+                for (int axis = 0; axis < 3; axis++) {
+                    int first = corner - corner % 3;
+                    corners[3 * corner + axis] = corner == first ? alongU * u[axis] + alongV * v[axis]
+                        : corners[3 * first + axis] + alongU / 10 * u[axis] + alongV / 10 * v[axis];
+                }
+            }
+            TriangleMesh mesh = new TriangleMesh(new Triangles(corners, IntStream.range(0, 300).toArray(), new double[0], null));
+            for (int i = 0; i < 500; i++) {
+                double[] ray = new double[6];
+                double fromU = 20 * random.nextDouble() - 5;
+                double alongU = random.nextGaussian();
+                double alongV = random.nextGaussian();
+                for (int axis = 0; axis < 3; axis++) {
+                    ray[axis] = fromU * u[axis] - 5 * v[axis];
+                    ray[axis + 3] = alongU * u[axis] + alongV * v[axis];
+                }
+                compared(mesh, ray, "seed " + SEED + ", scene " + scene + ", ray " + i);
+            }
+        }
+    }
+
+    /** Compares the tree with the loop; returns 1 if the ray hits, else 0. */
+    private static int compared(TriangleMesh mesh, double[] ray, String where) {
+        Triangles triangles = mesh.triangles;
+        TriangleIntersector walked = new TriangleIntersector();
+        walked.start(mesh, ray[0], ray[1], ray[2], ray[3], ray[4], ray[5]);
+        TriangleIntersector looped = new TriangleIntersector();
+        looped.start(mesh, ray[0], ray[1], ray[2], ray[3], ray[4], ray[5]);
+        double t = Double.POSITIVE_INFINITY;
+        int nearest = TriangleIntersector.NONE;
+        for (int n = 0; n < triangles.count(); n++) {
+            double found = looped.test(n);
+            if (found >= 0 && found < t) {
+                t = found;
+                nearest = n;
+            }
+        }
+        boolean hit = walked.closest(Double.POSITIVE_INFINITY);
+        if (hit != (t < Double.POSITIVE_INFINITY) || walked.triangle != nearest
+            || Double.doubleToLongBits(walked.t) != Double.doubleToLongBits(t)) {
+            fail("%s: the tree finds triangle %d at %s, the loop %d at %s".formatted(where, walked.triangle, walked.t, nearest, t));
+        }
+        if (hit) {
+            looped.test(nearest);
+            assertThat(new double[] {walked.weightA, walked.weightB, walked.weightC}).as(where)
+                .containsExactly(looped.weightA, looped.weightB, looped.weightC);
+        }
+        assertThat(walked.occluded(t)).as(where + ": before the nearest").isFalse();
+        assertThat(walked.occluded(Math.nextUp(t))).as(where + ": up to the nearest").isEqualTo(hit);
+        return hit ? 1 : 0;
     }
 
     /** From the middle a ray must hit, wherever it goes: to a vertex, to a place on an edge, anywhere. */
@@ -118,15 +197,60 @@ class TriangleTreeTest {
             c[3 * i + 1] = 3 * i + 1;
             c[3 * i + 2] = 3 * i + 2;
         }
-        TriangleTree tree = new TriangleTree(new Triangles(v, c, new double[0], null));
-        TriangleProbe probe = new TriangleProbe();
-        probe.start(1, 1, 1, -1, -1, -1);
-        tree.walk(probe);
-        assertThat(probe.triangle).isZero();
+        TriangleIntersector triangles = new TriangleIntersector();
+        triangles.start(new TriangleMesh(new Triangles(v, c, new double[0], null)), 1, 1, 1, -1, -1, -1);
+        assertThat(triangles.closest(Double.POSITIVE_INFINITY)).isTrue();
+        assertThat(triangles.triangle).isZero();
     }
 
-    private static TriangleProbe probe(Random random, Triangles triangles) {
-        TriangleProbe probe = new TriangleProbe();
+    @Test
+    void theTreeIsTheSameOnOneThreadAndOnSeveral() {
+        Triangles triangles = soup(new Random(SEED), 40_000);
+        TriangleMesh.Tree one = new TriangleMesh(triangles).tree(1);
+        TriangleMesh.Tree several = new TriangleMesh(triangles).tree(4);
+
+        assertThat(Arrays.equals(several.order(), one.order())).isTrue();
+        assertThat(Arrays.equals(several.corners(), one.corners())).isTrue();
+    }
+
+    @Test
+    void theTreeIsBuiltOnce() {
+        TriangleMesh mesh = new TriangleMesh(icosphere(0));
+        TriangleMesh.Tree tree = mesh.tree(2);
+
+        assertThat(mesh.tree()).isSameAs(tree);
+        assertThat(mesh.tree(1)).isSameAs(tree);
+    }
+
+    @Test
+    void theCornersAreThoseOfTheTrianglesInTheOrderOfTheLeaves() {
+        Triangles triangles = icosphere(1);
+        TriangleMesh.Tree tree = new TriangleMesh(triangles).tree();
+
+        boolean[] seen = new boolean[triangles.count()];
+        for (int i = 0; i < seen.length; i++) {
+            int triangle = tree.order()[i];
+            assertThat(seen[triangle]).isFalse();
+            seen[triangle] = true;
+            for (int corner = 0; corner < 3; corner++) {
+                assertThat(tree.corners()[3 * i + corner]).isEqualTo(3 * triangles.corners()[3 * triangle + corner]);
+            }
+        }
+    }
+
+    @Test
+    void ofNoTriangleThereIsNoTreeAndNoHit() {
+        TriangleMesh none = new TriangleMesh(Triangles.NONE);
+        TriangleIntersector triangles = new TriangleIntersector();
+        triangles.start(none, 0, 0, 0, 1, 0, 0);
+
+        assertThat(none.tree().bvh()).isNull();
+        assertThat(triangles.closest(Double.POSITIVE_INFINITY)).isFalse();
+        assertThat(triangles.occluded(Double.POSITIVE_INFINITY)).isFalse();
+    }
+
+    /** {@return a ray's origin and direction} */
+    private static double[] ray(Random random, Triangles triangles) {
         double[] to = {random.nextGaussian() / 2, random.nextGaussian() / 2, random.nextGaussian() / 2};
         if (random.nextInt(4) == 0) {                         // exactly to a vertex
             System.arraycopy(triangles.vertices(), 3 * random.nextInt(triangles.vertices().length / 3), to, 0, 3);
@@ -135,12 +259,16 @@ class TriangleTreeTest {
         double x = distance * random.nextGaussian();
         double y = distance * random.nextGaussian();
         double z = distance * random.nextGaussian();
-        if (random.nextInt(8) == 0) {                         // along an axis
-            probe.start(to[0], to[1], z, 0, 0, random.nextBoolean() ? 1 : -1);
-        } else {
-            probe.start(x, y, z, to[0] - x, to[1] - y, to[2] - z);
+        return random.nextInt(8) == 0 ? new double[] {to[0], to[1], z, 0, 0, random.nextBoolean() ? 1 : -1}   // along an axis
+            : new double[] {x, y, z, to[0] - x, to[1] - y, to[2] - z};
+    }
+
+    private static Triangles moved(Triangles triangles, double scale, double[] by) {
+        double[] v = triangles.vertices().clone();
+        for (int i = 0; i < v.length; i++) {
+            v[i] = v[i] * scale + by[i % 3];
         }
-        return probe;
+        return new Triangles(v, triangles.corners(), triangles.normals(), triangles.cornerNormals());
     }
 
     private static Triangles soup(Random random, int count) {

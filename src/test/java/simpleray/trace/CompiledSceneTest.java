@@ -1,8 +1,9 @@
-package simpleray.accel;
+package simpleray.trace;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Path;
+import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -19,8 +20,8 @@ import simpleray.scene.SimpleCamera;
 import simpleray.scene.Terms;
 import simpleray.scene.WhittedIntegrator;
 
-/** The engine's colours are the thesis's loop's, bit for bit. */
-class EngineTest {
+/** The compiled scene's colours are those of the thesis's loop over all objects, bit for bit. */
+class CompiledSceneTest {
     private static final long SEED = 19860101;
     private static final int SCENES = 10_000;
     private static final int SIDE = 6;
@@ -31,8 +32,8 @@ class EngineTest {
 
     @ParameterizedTest
     @EnumSource
-    void everyWayToTheObjectsFindsTheColoursOfTheLoop(Engine.Kind kind) {
-        RandomScenes scenes = new RandomScenes(SEED + kind.ordinal(), folder);
+    void everyStructureFindsTheColoursOfTheLoop(CompiledScene.Structure structure) {
+        RandomScenes scenes = new RandomScenes(SEED + structure.ordinal(), folder);
         int lit = 0;
         for (int i = 0; i < SCENES / 2; i++) {
             Scene scene = scenes.next(i % 20 == 0 ? 100 : 25);
@@ -40,18 +41,18 @@ class EngineTest {
             if (i % 3 == 0) {
                 camera.setCOP(Math.pow(10, i % 7));
             }
-            Integrator accelerated = accelerated(scene, new Engine(scene, camera.ray(0, 0).origin, 1, kind, i % 2 == 0));
+            Integrator accelerated = accelerated(scene, new CompiledScene(scene, camera.ray(0, 0).origin, 1, structure, i % 2 == 0));
             for (int p = 0; p < SIDE * SIDE; p++) {
                 lit += same(scene, accelerated, camera.ray(p % SIDE, p / SIDE),
-                    "seed " + (SEED + kind.ordinal()) + ", scene " + i + ", pixel " + p);
+                    "seed " + (SEED + structure.ordinal()) + ", scene " + i + ", pixel " + p);
             }
         }
         assertThat(lit).as("rays that hit something").isGreaterThan(SCENES * SIDE);
     }
 
-    private static Integrator accelerated(Scene scene, Engine engine) {
+    private static Integrator accelerated(Scene scene, CompiledScene compiled) {
         RayStats stats = new RayStats();
-        return new WhittedIntegrator(scene, engine.intersector(stats), Terms.ALL, stats, null);
+        return new WhittedIntegrator(scene, compiled.intersector(stats), Terms.ALL, stats, null);
     }
 
     private static int same(Scene scene, Integrator accelerated, Ray ray, String where) {
@@ -68,11 +69,11 @@ class EngineTest {
     @Test
     void raysFromFarAwayAndInAnyDirectionFindTheSame() {
         RandomScenes scenes = new RandomScenes(SEED, folder);
-        java.util.Random random = new java.util.Random(SEED);
+        Random random = new Random(SEED);
         for (int i = 0; i < 600; i++) {
             Scene scene = scenes.next(60);
-            Engine.Kind kind = Engine.Kind.values()[i % 3];
-            Integrator accelerated = accelerated(scene, new Engine(scene, new Point(), 1, kind, true));
+            CompiledScene.Structure structure = CompiledScene.Structure.values()[i % 3];
+            Integrator accelerated = accelerated(scene, new CompiledScene(scene, new Point(), 1, structure, true));
             for (int k = 0; k < 40; k++) {
                 double far = Math.pow(10, random.nextInt(12) - 3);
                 Vector from = new Vector(random.nextGaussian(), random.nextGaussian(), random.nextGaussian());

@@ -1,57 +1,62 @@
 package simpleray.accel;
 
-import simpleray.math.Bounds;
-import simpleray.scene.Object;
-import simpleray.scene.Sphere;
-
 /**
- * The boxes of bounded objects, as floats about the middle of them all, each a little larger than its object: by more than all rounding of
- * a ray's way to it, in float or double, can amount to. <em>Mutable</em>: whoever builds a tree of them changes their order.
+ * The boxes of primitives, as floats from -1 to 1: about the middle of them all, in units of their largest extent from there. Each is a little
+ * larger than its primitive: by more than all rounding of a ray's way to it, in float or double, can amount to (Ize, "Robust BVH Ray
+ * Traversal", JCGT 2(2), 2013). <em>Mutable</em>: whoever builds a tree or a grid of them changes their order.
  */
-final class Boxes {
+public final class PrimitiveBounds {
     /** Numbers a box: its low corner x, y, z, then its high one. */
     static final int SIDES = 6;
     /** By what share of the half extent of all of them a box is larger. */
-    private static final double PAD = 0x1p-20;
+    static final double PAD = 0x1p-20;
     /** By what share of their distance from the origin, where numbers are coarse. */
     private static final double FAR_PAD = 0x1p-40;
 
     private static final int DONE = -1;
     private static final double[] EMPTY = {Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY,
         Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY};
-    /** How many extents from the middle a ray may start. */
-    private static final double FARTHEST = 1e6;
+    /** How many extents from the middle a ray may start; from farther away rounding would not let it find its way. */
+    static final double MAX_DISTANCE = 1e6;
 
     /** The middle of all boxes. */
     final double[] middle = new double[3];
-    /** The largest coordinate about the middle; above 0. */
+    /** The largest coordinate about the middle, which is 1 in the boxes; above 0. */
     final double extent;
     /** The boxes, six numbers each. */
     final float[] sides;
-    /** Which object each is of. */
+    /** Which primitive each is of. */
     final int[] ids;
-    /** Which of them are of spheres. */
-    final boolean[] round;
+
+    /** What the boxes are made from. Several threads may ask at once. */
+    public interface Source {
+        /**
+         * Finds the box of a primitive.
+         *
+         * @param i the primitive
+         * @param box gets xmin, ymin, zmin, xmax, ymax, zmax
+         */
+        void bounds(int i, double[] box);
+    }
 
     /**
-     * Makes the boxes of objects.
+     * Makes boxes.
      *
-     * @param objects all objects of a scene
-     * @param ids the places of those that get boxes, whose bounds are finite; kept
+     * @param ids the primitives, one or more; kept
+     * @param source tells the box of each
      * @param pool who may work on it
      */
-    Boxes(Object[] objects, int[] ids, Pool pool) {
+    public PrimitiveBounds(int[] ids, Source source, Pool pool) {
         this.ids = ids;
         sides = new float[SIDES * ids.length];
-        round = new boolean[ids.length];
         double[] all = EMPTY.clone();
         pool.ranges(ids.length, new Pool.Work() {
             @Override
             public void on(int from, int to) {
-                widen(all, objects, from, to);
+                widen(all, source, from, to);
             }
         });
-        double half = Float.MIN_NORMAL;
+        double half = Double.MIN_NORMAL;
         double far = 0;
         for (int axis = 0; axis < 3; axis++) {
             middle[axis] = (all[axis] + all[axis + 3]) / 2;
@@ -63,21 +68,20 @@ final class Boxes {
         pool.ranges(ids.length, new Pool.Work() {
             @Override
             public void on(int from, int to) {
-                enclose(objects, pad, from, to);
+                enclose(source, pad, from, to);
             }
         });
     }
 
-    private void widen(double[] all, Object[] objects, int from, int to) {
+    private void widen(double[] all, Source source, int from, int to) {
         double[] own = EMPTY.clone();
+        double[] box = new double[SIDES];
         for (int i = from; i < to; i++) {
-            Bounds b = objects[ids[i]].bounds();              // which no memory is spent on, unless they are kept
-            own[0] = Math.min(own[0], b.xmin());
-            own[1] = Math.min(own[1], b.ymin());
-            own[2] = Math.min(own[2], b.zmin());
-            own[3] = Math.max(own[3], b.xmax());
-            own[4] = Math.max(own[4], b.ymax());
-            own[5] = Math.max(own[5], b.zmax());
+            source.bounds(ids[i], box);
+            for (int axis = 0; axis < 3; axis++) {
+                own[axis] = Math.min(own[axis], box[axis]);
+                own[axis + 3] = Math.max(own[axis + 3], box[axis + 3]);
+            }
         }
         synchronized (all) {
             for (int axis = 0; axis < 3; axis++) {
@@ -87,34 +91,30 @@ final class Boxes {
         }
     }
 
-    private void enclose(Object[] objects, double pad, int from, int to) {
+    private void enclose(Source source, double pad, int from, int to) {
+        double[] box = new double[SIDES];
         for (int i = from; i < to; i++) {
-            Object object = objects[ids[i]];
-            round[i] = object instanceof Sphere;
-            Bounds b = object.bounds();
-            int at = SIDES * i;
-            sides[at] = (float) (b.xmin() - middle[0] - pad);
-            sides[at + 1] = (float) (b.ymin() - middle[1] - pad);
-            sides[at + 2] = (float) (b.zmin() - middle[2] - pad);
-            sides[at + 3] = (float) (b.xmax() - middle[0] + pad);
-            sides[at + 4] = (float) (b.ymax() - middle[1] + pad);
-            sides[at + 5] = (float) (b.zmax() - middle[2] + pad);
+            source.bounds(ids[i], box);
+            for (int axis = 0; axis < 3; axis++) {
+                sides[SIDES * i + axis] = (float) ((box[axis] - middle[axis] - pad) / extent);
+                sides[SIDES * i + axis + 3] = (float) ((box[axis + 3] - middle[axis] + pad) / extent);
+            }
         }
     }
 
-    /** {@return a length that is more than all rounding of a ray's way} */
-    double slack() {
-        return extent * PAD;
-    }
-
-    /** {@return how far from the middle a ray may start; from farther away rounding would not let it find its way} */
-    double reach() {
-        return FARTHEST * extent;
+    /** {@return how far from the middle a ray may start to be followed} */
+    public double reach() {
+        return MAX_DISTANCE * extent;
     }
 
     /** {@return how many there are} */
-    int count() {
+    public int count() {
         return ids.length;
+    }
+
+    /** {@return the primitives, in the order of the boxes} */
+    public int[] ids() {
+        return ids;
     }
 
     /** Brings the boxes into an order, given as where each comes from, which is used up: round after round, as each makes room for the next. */
@@ -137,9 +137,6 @@ final class Boxes {
         int id = ids[i];
         ids[i] = ids[j];
         ids[j] = id;
-        boolean ball = round[i];
-        round[i] = round[j];
-        round[j] = ball;
         int a = SIDES * i;
         int b = SIDES * j;
         for (int k = 0; k < SIDES; k++) {

@@ -7,7 +7,7 @@ import java.util.concurrent.atomic.AtomicLong;
  * Cells of one size, each with a list of the objects in it (Fujimoto, Tanaka and Iwata, "ARTS: Accelerated Ray-Tracing System", 1986): the
  * fastest way through objects that are spread about evenly, and of no use where they are not. <em>Constant.</em>
  */
-final class Grid implements Structure {
+public final class UniformGrid {
     /** So many cells for each object. */
     private static final double CELLS_AN_OBJECT = 4;
     private static final int MOST_CELLS_A_SIDE = 1024;
@@ -18,10 +18,15 @@ final class Grid implements Structure {
     /** How many objects may have their middles in the cell of an object, itself among them, on the average. */
     private static final double MOST_IN_CELL = 4;
 
-    final Boxes boxes;
+    /** The middle of all boxes. */
+    final double[] middle;
+    /** The unit of all lengths. */
+    final double extent;
+    /** How many primitives there are. */
+    final int primitives;
     /** How many cells there are along each axis. */
     final int[] cells = new int[3];
-    /** Half the size of the grid along each axis, about the middle of the boxes. */
+    /** Half the size of the grid along each axis, about the middle of the bounds. */
     final double[] half = new double[3];
     /** The size of a cell along each axis. */
     final double[] size = new double[3];
@@ -30,45 +35,51 @@ final class Grid implements Structure {
     /** The lists. */
     int[] places;
 
+    private PrimitiveBounds bounds;                           // until the lists are made
     private final int[] from = new int[3];
     private final int[] to = new int[3];
 
-    private Grid(Boxes boxes) {
-        this.boxes = boxes;
+    private UniformGrid(PrimitiveBounds bounds) {
+        this.bounds = bounds;
+        middle = bounds.middle;
+        extent = bounds.extent;
+        primitives = bounds.count();
     }
 
-    /** {@return a grid of the boxes, which are brought into an order in which neighbours are near; null if a grid is of no use} */
-    static Grid of(Boxes boxes, boolean anyway, Pool pool) {
-        Grid grid = new Grid(boxes);
+    /**
+     * Begins a grid; {@link #fill} ends it.
+     *
+     * @param bounds the boxes, which are brought into an order in which neighbours are near
+     * @param anyway whether a grid is wanted even if it is of no use
+     * @param pool who may work on it
+     * @return the grid; null if a grid is of no use, as the boxes are not spread evenly
+     */
+    public static UniformGrid of(PrimitiveBounds bounds, boolean anyway, Pool pool) {
+        UniformGrid grid = new UniformGrid(bounds);
         grid.lay();
         return grid.sort(anyway, pool) ? grid : null;
     }
 
-    @Override
-    public Walk walk(Finder finder) {
-        return new GridWalk(this, finder);
-    }
-
     private void lay() {
-        Arrays.fill(half, boxes.extent * LEAST_THICKNESS);
-        for (int i = 0; i < boxes.sides.length; i++) {
+        Arrays.fill(half, LEAST_THICKNESS);
+        for (int i = 0; i < bounds.sides.length; i++) {
             int axis = i % 3;
-            half[axis] = Math.max(half[axis], Math.abs(boxes.sides[i]));
+            half[axis] = Math.max(half[axis], Math.abs(bounds.sides[i]));
         }
         double volume = 8 * half[0] * half[1] * half[2];
-        double wanted = Math.cbrt(volume / (CELLS_AN_OBJECT * boxes.count()));
+        double wanted = Math.cbrt(volume / (CELLS_AN_OBJECT * bounds.count()));
         for (int axis = 0; axis < 3; axis++) {
             cells[axis] = (int) Math.max(1, Math.min(MOST_CELLS_A_SIDE, Math.rint(2 * half[axis] / wanted)));
             size[axis] = 2 * half[axis] / cells[axis];
         }
     }
 
-    /** Makes the lists. */
-    void fill() {
-        int n = boxes.count();
+    /** {@return this, with the lists made} */
+    public UniformGrid fill() {
+        int n = bounds.count();
         starts = new int[count() + 1];
         for (int i = 0; i < n; i++) {
-            visit(i, boxes.round[i]);
+            visit(i);
         }
         int sum = 0;
         for (int cell = 0; cell < starts.length; cell++) {
@@ -77,17 +88,19 @@ final class Grid implements Structure {
         }
         places = new int[sum];
         for (int i = n - 1; i >= 0; i--) {
-            visit(i, boxes.round[i]);
+            visit(i);
         }
+        bounds = null;                                        // no longer needed
+        return this;
     }
 
     private int count() {
         return cells[0] * cells[1] * cells[2];
     }
 
-    /** Brings the boxes into the order of the cells in which their middles are; or does not, and returns false, if a grid is of no use. */
+    /** Brings the bounds into the order of the cells in which their middles are; or does not, and returns false, if a grid is of no use. */
     private boolean sort(boolean anyway, Pool pool) {
-        int n = boxes.count();
+        int n = bounds.count();
         int[] cell = new int[n];
         AtomicLong listed = new AtomicLong();
         pool.ranges(n, new Pool.Work() {
@@ -112,19 +125,19 @@ final class Grid implements Structure {
         for (int i = 0; i < n; i++) {
             order[ends[cell[i]]++] = i;
         }
-        boxes.reorder(order);
+        bounds.reorder(order);
         return true;
     }
 
-    /** Finds the cells in which the middles of some boxes are. {@return how often these would be listed} */
+    /** Finds the cells in which the middles of some bounds are. {@return how often these would be listed} */
     private long find(int[] cell, int from, int to) {
         long listed = 0;
         for (int i = from; i < to; i++) {
             long covered = 1;
             for (int axis = 2; axis >= 0; axis--) {
-                int at = Boxes.SIDES * i + axis;
-                cell[i] = cell[i] * cells[axis] + cell(axis, (boxes.sides[at] + boxes.sides[at + 3]) / 2);
-                covered *= cell(axis, boxes.sides[at + 3]) - cell(axis, boxes.sides[at]) + 1;
+                int at = PrimitiveBounds.SIDES * i + axis;
+                cell[i] = cell[i] * cells[axis] + cell(axis, (bounds.sides[at] + bounds.sides[at + 3]) / 2);
+                covered *= cell(axis, bounds.sides[at + 3]) - cell(axis, bounds.sides[at]) + 1;
             }
             listed += covered;
         }
@@ -137,24 +150,17 @@ final class Grid implements Structure {
     }
 
     /** Counts an object in the cells that it may touch; or lists it there, from the end of each list, once there are lists. */
-    private void visit(int i, boolean sphere) {
-        float[] s = boxes.sides;
-        int at = Boxes.SIDES * i;
+    private void visit(int i) {
+        float[] s = bounds.sides;
+        int at = PrimitiveBounds.SIDES * i;
         for (int axis = 0; axis < 3; axis++) {
             from[axis] = cell(axis, s[at + axis]);
             to[axis] = cell(axis, s[at + axis + 3]);
         }
-        double radius = (s[at + 3] - s[at]) * 0.5;
-        boolean precise = sphere && (from[0] != to[0] ? 1 : 0) + (from[1] != to[1] ? 1 : 0) + (from[2] != to[2] ? 1 : 0) > 1;
         for (int z = from[2]; z <= to[2]; z++) {
-            double zz = precise ? square(2, z, (s[at + 2] + s[at + 5]) * 0.5) : 0;
             for (int y = from[1]; y <= to[1]; y++) {
-                double yy = precise ? zz + square(1, y, (s[at + 1] + s[at + 4]) * 0.5) : 0;
                 int row = (z * cells[1] + y) * cells[0];
                 for (int x = from[0]; x <= to[0]; x++) {
-                    if (precise && yy + square(0, x, (s[at] + s[at + 3]) * 0.5) > radius * radius) {
-                        continue;
-                    }
                     if (places == null) {
                         starts[row + x]++;
                     } else {
@@ -163,12 +169,5 @@ final class Grid implements Structure {
                 }
             }
         }
-    }
-
-    /** {@return the square of the distance of a place on an axis from a cell} */
-    private double square(int axis, int cell, double along) {
-        double low = cell * size[axis] - half[axis];
-        double outside = Math.max(0, Math.max(low - along, along - low - size[axis]));
-        return outside * outside;
     }
 }

@@ -1,0 +1,356 @@
+package simpleray.accel;
+
+import java.util.Arrays;
+
+/**
+ * Builds a tree of boxes from the top: a box is split where the surface area heuristic finds it cheapest among a few places along its longest
+ * axis (Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies", 2007). Large parts are built side by side. A node's place follows
+ * from how many primitives lie before it, so that the threads need not agree on anything. <em>Mutable</em>, used once.
+ */
+final class BvhBuilder {
+    private static final int BINS = 16;
+    /** Of few primitives so many bins are enough. */
+    private static final int FEW = 64;
+    private static final int FEW_BINS = 8;
+    /** A leaf has no more primitives than these. */
+    private static final int MAX_LEAF = 8;
+    /** What the visit of a node costs, the test of a primitive being 1. */
+    private static final float VISIT = 1;
+    /** Middles that are no farther apart are as good as one. */
+    private static final float MIN_WIDTH = 1e-30f;
+    /** From here on a tree gets no deeper than halving makes it. */
+    private static final int HALVING_DEPTH = 60;
+    /** So many primitives are worth a task of their own. */
+    private static final int TASK = 8192;
+    /** Numbers of a range: the box around its boxes, and the box around their middles, doubled. */
+    private static final int RANGE = 2 * PrimitiveBounds.SIDES;
+    private static final float[] EMPTY = {Float.POSITIVE_INFINITY, Float.POSITIVE_INFINITY, Float.POSITIVE_INFINITY,
+        Float.NEGATIVE_INFINITY, Float.NEGATIVE_INFINITY, Float.NEGATIVE_INFINITY};
+
+    private final PrimitiveBounds bounds;
+    private final float[] sides;
+    private final float[] nodes;                              // with gaps, where leaves have more primitives than one
+    private int used;
+
+    private BvhBuilder(PrimitiveBounds bounds) {
+        this.bounds = bounds;
+        sides = bounds.sides;
+        nodes = new float[Bvh.NODE * Math.max(1, bounds.count() - 1)];
+    }
+
+    static float[] build(PrimitiveBounds bounds, Pool pool) {
+        BvhBuilder builder = new BvhBuilder(bounds);
+        Subtree all = builder.new Subtree(pool);
+        all.measure(bounds.count());
+        if (bounds.count() >= TASK) {
+            pool.run(new SubtreeTask(all, 0, 0, bounds.count(), 0));
+        } else {
+            all.build(0, 0, bounds.count(), 0);
+        }
+        float[] packed = new float[builder.used(0)];
+        builder.used = 0;
+        builder.pack(0, packed);
+        return packed;
+    }
+
+    /** {@return how many numbers the nodes from this one down have} */
+    private int used(int node) {
+        int sum = Bvh.NODE;
+        for (int i = 0; i < 2; i++) {
+            int child = Float.floatToRawIntBits(nodes[node + Bvh.CHILDREN + i]);
+            sum += child > 0 ? used(child) : 0;
+        }
+        return sum;
+    }
+
+    /** Copies the nodes from this one down, without gaps. {@return where this one comes to lie} */
+    private int pack(int node, float[] packed) {
+        int place = used;
+        used += Bvh.NODE;
+        System.arraycopy(nodes, node, packed, place, Bvh.NODE);
+        for (int i = 0; i < 2; i++) {
+            int child = Float.floatToRawIntBits(nodes[node + Bvh.CHILDREN + i]);
+            if (child > 0) {
+                packed[place + Bvh.CHILDREN + i] = Float.intBitsToFloat(pack(child, packed));
+            }
+        }
+        return place;
+    }
+
+    /** Makes a box large enough for another. Comparisons, for they are mostly guessed right, and faster then than {@link Math#min}. */
+    private static void grow(float[] box, int at, float[] by, int from) {
+        if (by[from] < box[at]) {
+            box[at] = by[from];
+        }
+        if (by[from + 1] < box[at + 1]) {
+            box[at + 1] = by[from + 1];
+        }
+        if (by[from + 2] < box[at + 2]) {
+            box[at + 2] = by[from + 2];
+        }
+        if (by[from + 3] > box[at + 3]) {
+            box[at + 3] = by[from + 3];
+        }
+        if (by[from + 4] > box[at + 4]) {
+            box[at + 4] = by[from + 4];
+        }
+        if (by[from + 5] > box[at + 5]) {
+            box[at + 5] = by[from + 5];
+        }
+    }
+
+    /** {@return half the surface of a box} */
+    private static float area(float[] box, int at) {
+        float x = box[at + 3] - box[at];
+        float y = box[at + 4] - box[at + 1];
+        float z = box[at + 5] - box[at + 2];
+        return x * y + y * z + z * x;
+    }
+
+    /** Builds a subtree as a task. */
+    private static final class SubtreeTask extends Pool.Task<Void> {
+        private static final long serialVersionUID = 1L;
+        private final transient Subtree subtree;
+        private final int node;
+        private final int first;
+        private final int end;
+        private final int depth;
+
+        SubtreeTask(Subtree subtree, int node, int first, int end, int depth) {
+            super(subtree.pool);
+            this.subtree = subtree;
+            this.node = node;
+            this.first = first;
+            this.end = end;
+            this.depth = depth;
+        }
+
+        @Override
+        Void find() {
+            subtree.build(node, first, end, depth);
+            return null;
+        }
+    }
+
+    /** What a thread needs to build a subtree. */
+    private final class Subtree {
+        final Pool pool;
+        /** The range of each node on the way down and its sibling's. */
+        private final float[] ranges = new float[2 * RANGE * (Bvh.MAX_DEPTH + 1)];
+        private final float[] bins = new float[BINS * PrimitiveBounds.SIDES];
+        private final int[] counts = new int[BINS];
+        private final float[] highCosts = new float[BINS];
+        private final float[] box = new float[PrimitiveBounds.SIDES];
+        private int current;                                  // where the range is that is being split
+        private int bestAxis;
+        private int bestBin;
+        private int binCount;
+
+        Subtree(Pool pool) {
+            this.pool = pool;
+        }
+
+        /** Finds the range of all. */
+        void measure(int count) {
+            clear(0);
+            for (int i = 0; i < count; i++) {
+                grow(0, i);
+            }
+        }
+
+        private void clear(int range) {
+            System.arraycopy(EMPTY, 0, ranges, range, PrimitiveBounds.SIDES);
+            System.arraycopy(EMPTY, 0, ranges, range + PrimitiveBounds.SIDES, PrimitiveBounds.SIDES);
+        }
+
+        /** Makes a range large enough for a primitive. */
+        private void grow(int range, int primitive) {
+            int at = PrimitiveBounds.SIDES * primitive;
+            float[] r = ranges;
+            BvhBuilder.grow(r, range, sides, at);
+            for (int axis = 0; axis < 3; axis++) {
+                float middle = sides[at + axis] + sides[at + axis + 3];
+                if (middle < r[range + 6 + axis]) {
+                    r[range + 6 + axis] = middle;
+                }
+                if (middle > r[range + 9 + axis]) {
+                    r[range + 9 + axis] = middle;
+                }
+            }
+        }
+
+        /** Builds a node of the primitives from first to before end, whose range is the first one of this depth. */
+        void build(int node, int first, int end, int depth) {
+            current = 2 * RANGE * depth;
+            int middle = split(first, end, depth);
+            if (middle == first) {                            // the root is a leaf
+                leaf(node, 0, current, first, end);
+                System.arraycopy(EMPTY, 0, ranges, current + RANGE, PrimitiveBounds.SIDES);
+                box(node, 1, current + RANGE);
+                return;
+            }
+            inner(node, first, middle, end, depth);
+        }
+
+        /** Builds a node whose primitives were split, with the ranges of both parts at the next depth. */
+        private void inner(int node, int first, int middle, int end, int depth) {
+            int left = 2 * RANGE * (depth + 1);
+            SubtreeTask task = null;
+            if (middle - first >= TASK && end - middle >= TASK) {
+                Subtree other = new Subtree(pool);
+                System.arraycopy(ranges, left + RANGE, other.ranges, left, RANGE);
+                int place = node + Bvh.NODE * (middle - first);
+                box(node, 1, left + RANGE);
+                child(node, 1, place);
+                task = new SubtreeTask(other, place, middle, end, depth + 1);
+                task.fork();
+            }
+            part(node, 0, node + Bvh.NODE, first, middle, depth + 1);
+            if (task == null) {
+                part(node, 1, node + Bvh.NODE * (middle - first), middle, end, depth + 1);
+            } else {
+                task.join();
+            }
+        }
+
+        /** Builds a child at this place, or makes it a leaf. */
+        private void part(int node, int child, int place, int first, int end, int depth) {
+            int range = 2 * RANGE * depth + RANGE * child;
+            current = range;
+            int middle = split(first, end, depth);
+            if (middle == first) {
+                leaf(node, child, range, first, end);
+            } else {
+                box(node, child, range);
+                child(node, child, place);
+                inner(place, first, middle, end, depth);
+            }
+        }
+
+        private void leaf(int node, int child, int range, int first, int end) {
+            box(node, child, range);
+            child(node, child, ~(first << Bvh.COUNT_BITS | end - first));
+        }
+
+        private void child(int node, int child, int what) {
+            nodes[node + Bvh.CHILDREN + child] = Float.intBitsToFloat(what);
+        }
+
+        private void box(int node, int child, int range) {
+            for (int axis = 0; axis < 3; axis++) {
+                nodes[node + 4 * axis + child] = ranges[range + axis];
+                nodes[node + 4 * axis + 2 + child] = ranges[range + axis + 3];
+            }
+        }
+
+        /** Splits the current range in two. {@return where the second part begins; the first primitive if a leaf is cheaper} */
+        private int split(int first, int end, int depth) {
+            int count = end - first;
+            if (count == 1) {
+                return first;
+            }
+            float cost = depth < HALVING_DEPTH ? find(first, end) : Float.POSITIVE_INFINITY;
+            float area = area(ranges, current);
+            if (count <= MAX_LEAF && !(cost + VISIT * area < count * area)) {
+                return first;
+            }
+            int low = 2 * RANGE * (depth + 1);
+            clear(low);
+            clear(low + RANGE);
+            return cost < Float.POSITIVE_INFINITY ? part(first, end, low) : halve(first, end, low);
+        }
+
+        private int halve(int first, int end, int low) {
+            int middle = (first + end) >>> 1;
+            for (int i = first; i < end; i++) {
+                grow(i < middle ? low : low + RANGE, i);
+            }
+            return middle;
+        }
+
+        /** Brings the primitives of the bins before the best one to the front, and measures both parts. */
+        private int part(int first, int end, int low) {
+            float from = ranges[current + 6 + bestAxis];
+            float scale = scale();
+            int i = first;
+            int last = end - 1;
+            while (i <= last) {
+                int at = PrimitiveBounds.SIDES * i + bestAxis;
+                if ((int) ((sides[at] + sides[at + 3] - from) * scale) < bestBin) {
+                    grow(low, i++);
+                } else {
+                    grow(low + RANGE, i);
+                    bounds.swap(i, last--);
+                }
+            }
+            return i;
+        }
+
+        /** Finds the best split along the axis on which the middles are farthest apart. {@return its cost; infinite if there is none} */
+        private float find(int first, int end) {
+            bestAxis = 0;
+            for (int axis = 1; axis < 3; axis++) {
+                bestAxis = width(axis) > width(bestAxis) ? axis : bestAxis;
+            }
+            if (!(width(bestAxis) > MIN_WIDTH)) {
+                return Float.POSITIVE_INFINITY;
+            }
+            binCount = end - first < FEW ? FEW_BINS : BINS;
+            fill(first, end);
+            bestBin = cheapest();
+            return highCosts[bestBin];
+        }
+
+        /** {@return how far the middles are apart along an axis, doubled} */
+        private float width(int axis) {
+            return ranges[current + 9 + axis] - ranges[current + 6 + axis];
+        }
+
+        /** {@return how many bins there are to a length} */
+        private float scale() {
+            return binCount / width(bestAxis) * 0.9999f;
+        }
+
+        /** Puts the primitives into bins by their middles. */
+        private void fill(int first, int end) {
+            Arrays.fill(counts, 0);
+            for (int bin = 0; bin < binCount; bin++) {
+                System.arraycopy(EMPTY, 0, bins, PrimitiveBounds.SIDES * bin, PrimitiveBounds.SIDES);
+            }
+            float[] s = sides;
+            int axis = bestAxis;
+            float from = ranges[current + 6 + axis];
+            float scale = scale();
+            for (int i = first; i < end; i++) {
+                int at = PrimitiveBounds.SIDES * i;
+                put((int) ((s[at + axis] + s[at + axis + 3] - from) * scale), at);
+            }
+        }
+
+        private void put(int bin, int at) {
+            counts[bin]++;
+            BvhBuilder.grow(bins, PrimitiveBounds.SIDES * bin, sides, at);
+        }
+
+        /** Finds the bin before which to split; its cost, areas times numbers of primitives, then stands in highCosts. */
+        private int cheapest() {
+            System.arraycopy(EMPTY, 0, box, 0, PrimitiveBounds.SIDES);
+            int count = 0;
+            for (int bin = binCount - 1; bin > 0; bin--) {
+                count += counts[bin];
+                BvhBuilder.grow(box, 0, bins, PrimitiveBounds.SIDES * bin);
+                highCosts[bin] = count == 0 ? Float.POSITIVE_INFINITY : count * area(box, 0);
+            }
+            System.arraycopy(EMPTY, 0, box, 0, PrimitiveBounds.SIDES);
+            count = 0;
+            int best = 1;
+            for (int bin = 1; bin < binCount; bin++) {
+                count += counts[bin - 1];
+                BvhBuilder.grow(box, 0, bins, PrimitiveBounds.SIDES * (bin - 1));
+                highCosts[bin] += count == 0 ? Float.POSITIVE_INFINITY : count * area(box, 0);
+                best = highCosts[bin] < highCosts[best] ? bin : best;
+            }
+            return best;
+        }
+    }
+}

@@ -1,0 +1,230 @@
+package simpleray.accel;
+
+import java.util.Arrays;
+
+/**
+ * For each direction from a point, the primitives that lie there, the nearest first. Of an eye it finds what primary rays hit (Weghorst,
+ * Hooper and Greenberg, "Improved Computational Methods for Ray Tracing", 1984), of a light what shadows it casts (Haines and Greenberg,
+ * "The Light Buffer", 1986). <em>Constant.</em>
+ */
+public final class LightBuffer {
+    /** So many primitives tell how long the lists would be. */
+    private static final int SAMPLE = 4096;
+    /** So many cells for each primitive, and so many at least; and at most so many primitives in lists. */
+    private static final double CELLS_A_PRIMITIVE = 1;
+    private static final int MIN_CELLS = 6000;
+    private static final int MAX_CELLS = 6 << 20;
+    private static final long LISTED_A_PRIMITIVE = 6;
+    private static final long LISTED_ANYWAY = 1 << 18;
+    /** Longer lists are no faster than a tree: they lie in no cache. */
+    private static final long MAX_LISTED = 1 << 22;
+    /** How many extents from the middle the point may be. */
+    private static final double MAX_DISTANCE = 1e4;
+
+    private final DirectionCube cube;
+    /** Where the list of each cell begins, and at last where the last one ends. */
+    private final int[] starts;
+    /** The lists. */
+    private final int[] lists;
+    /** How near each primitive is at least. */
+    private final float[] near;
+    /** From how far away a ray may come towards the point: from farther, rounding lets it hit what is not on its way. */
+    private final double reach;
+
+    private LightBuffer(DirectionCube cube, int[] starts, int[] lists, float[] near, double reach) {
+        this.cube = cube;
+        this.starts = starts;
+        this.lists = lists;
+        this.near = near;
+        this.reach = reach;
+    }
+
+    /**
+     * Finds the cell of a direction from the point. Its list ends where that of the next cell begins.
+     *
+     * @param dx the direction, of unit length
+     * @param dy the direction
+     * @param dz the direction
+     * @return the cell
+     */
+    public int cell(double dx, double dy, double dz) {
+        return cube.cell(dx, dy, dz);
+    }
+
+    /**
+     * Finds where a list begins.
+     *
+     * @param cell the cell
+     * @return the place of its first primitive
+     */
+    public int start(int cell) {
+        return starts[cell];
+    }
+
+    /**
+     * Finds a primitive.
+     *
+     * @param i its place in the lists
+     * @return the primitive, as the boxes were numbered
+     */
+    public int primitive(int i) {
+        return lists[i];
+    }
+
+    /**
+     * Finds how near a primitive is.
+     *
+     * @param primitive the primitive
+     * @return its distance from the point, or a little less
+     */
+    public double near(int primitive) {
+        return near[primitive];
+    }
+
+    /** {@return how far from the point a ray towards it may start} */
+    public double reach() {
+        return reach;
+    }
+
+    /**
+     * Makes the buffer of a point.
+     *
+     * @param bounds the boxes of the primitives
+     * @param x the point
+     * @param y the point
+     * @param z the point
+     * @return the buffer; null if its lists would be long, or the point is far away
+     */
+    public static LightBuffer of(PrimitiveBounds bounds, double x, double y, double z) {
+        double[] point = {(x - bounds.middle[0]) / bounds.extent, (y - bounds.middle[1]) / bounds.extent,
+            (z - bounds.middle[2]) / bounds.extent};
+        double far = Math.max(Math.abs(point[0]), Math.max(Math.abs(point[1]), Math.abs(point[2])));
+        return far <= MAX_DISTANCE ? new Builder(bounds, point).build() : null;
+    }
+
+    /** Makes the lists. */
+    private static final class Builder {
+        private final PrimitiveBounds bounds;
+        private final double[] point;
+        private final DirectionCube cube = new DirectionCube();
+        private final double[] box = new double[PrimitiveBounds.SIDES];
+        private final double[] slopes = new double[4];
+        private final float[] near;
+        private int[] starts;
+        private int[] lists;
+
+        Builder(PrimitiveBounds bounds, double[] point) {
+            this.bounds = bounds;
+            this.point = point;
+            near = new float[bounds.count()];
+        }
+
+        LightBuffer build() {
+            int n = bounds.count();
+            long most = Math.min(LISTED_A_PRIMITIVE * n + LISTED_ANYWAY, MAX_LISTED);
+            openWindows();
+            if (!divide(n, most)) {
+                return null;
+            }
+            starts = new int[cube.cells() + 2];
+            long[] nearest = new long[n];                     // the bits of distances, which are not negative, are in their order
+            long listed = 0;
+            for (int i = 0; i < n && listed <= 2 * most; i++) {
+                listed += list(i);
+                near[i] = (float) (distance(box) * bounds.extent * (1 - 0x1p-20));
+                nearest[i] = (long) Float.floatToRawIntBits(near[i]) << Integer.SIZE | i;
+            }
+            if (listed > 2 * most) {                          // which the sample did not foretell
+                return null;
+            }
+            int sum = 0;                                      // from counts to where each list ends
+            for (int cell = 0; cell < starts.length; cell++) {
+                sum += starts[cell];
+                starts[cell] = sum;
+            }
+            lists = new int[sum];
+            Arrays.sort(nearest);
+            for (int k = n - 1; k >= 0; k--) {                // each list is filled from its end
+                list((int) nearest[k]);
+            }
+            return new LightBuffer(cube, starts, lists, near, bounds.reach());
+        }
+
+        /** Makes windows for the box around all. */
+        private void openWindows() {
+            for (int axis = 0; axis < 3; axis++) {
+                box[axis] = -1 - point[axis];
+                box[axis + 3] = 1 - point[axis];
+            }
+            for (int face = 0; face < DirectionCube.FACES; face++) {
+                if (DirectionCube.sees(box, face, slopes)) {
+                    cube.open(face, slopes);
+                }
+            }
+        }
+
+        /** Divides the cube into cells, few enough that lists are short. {@return whether they are} A sample tells. */
+        private boolean divide(int n, long most) {
+            int step = 1 + n / SAMPLE;
+            for (double cells = Math.min(MAX_CELLS, MIN_CELLS + CELLS_A_PRIMITIVE * n); cells >= MIN_CELLS; cells /= 2) {
+                cube.divide(cells);
+                long listed = 0;
+                for (int i = 0; i < n; i += step) {
+                    listed += list(i);
+                }
+                if (listed * step <= most) {
+                    return true;
+                }
+            }
+            return false;
+        }
+
+        /** Finds the box of a primitive as seen from the point. */
+        private void see(int i) {
+            int at = PrimitiveBounds.SIDES * i;
+            float[] s = bounds.sides;
+            for (int axis = 0; axis < 3; axis++) {
+                box[axis] = s[at + axis] - point[axis];
+                box[axis + 3] = s[at + axis + 3] - point[axis];
+            }
+        }
+
+        private static double distance(double[] box) {
+            double square = 0;
+            for (int axis = 0; axis < 3; axis++) {
+                double outside = Math.max(0, Math.max(box[axis], -box[axis + 3]));
+                square += outside * outside;
+            }
+            return Math.sqrt(square);
+        }
+
+        /** Counts a primitive in the cells in which it may be seen; or lists it there, from the end of each list. {@return how many} */
+        private long list(int i) {
+            see(i);
+            long cells = 0;
+            for (int face = 0; face < DirectionCube.FACES; face++) {
+                if (DirectionCube.sees(box, face, slopes)) {
+                    int first = cube.column(face, slopes[0]);
+                    int last = cube.column(face, slopes[1]);
+                    int top = cube.row(face, slopes[2]);
+                    int bottom = cube.row(face, slopes[3]);
+                    cells += (last - first + 1L) * (bottom - top + 1L);
+                    for (int row = top; row <= bottom && starts != null; row++) {
+                        list(i, cube.cell(face, row) + first, last - first);
+                    }
+                }
+            }
+            return cells;
+        }
+
+        private void list(int i, int cell, int more) {
+            for (int k = cell; k <= cell + more; k++) {
+                if (lists == null) {
+                    starts[k]++;
+                } else {
+                    lists[--starts[k]] = i;
+                }
+            }
+        }
+    }
+}

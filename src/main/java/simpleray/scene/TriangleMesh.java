@@ -1,0 +1,69 @@
+package simpleray.scene;
+
+import simpleray.accel.Bvh;
+import simpleray.accel.Pool;
+import simpleray.accel.PrimitiveBounds;
+
+/**
+ * Triangles and a tree of boxes around them, which meshes of one file share. <em>Constant</em>; the tree is built when it is first needed. Any
+ * thread may ask.
+ */
+final class TriangleMesh {
+    final Triangles triangles;
+    /** The box around all: xmin, ymin, zmin, xmax, ymax, zmax; of no triangle all 0. */
+    final double[] box;
+    private volatile Tree tree;
+
+    TriangleMesh(Triangles triangles) {
+        this.triangles = triangles;
+        box = triangles.count() == 0 ? new double[6] : triangles.bounds();
+    }
+
+    /**
+     * The tree of boxes.
+     *
+     * @param bvh the boxes; null if there is no triangle
+     * @param order the triangles in the order of the leaves
+     * @param corners in that order, too, the places of their corners among the coordinates: three times the vertices' numbers
+     */
+    record Tree(Bvh bvh, int[] order, int[] corners) {
+    }
+
+    Tree tree() {
+        Tree known = tree;
+        return known == null ? tree(1) : known;
+    }
+
+    /** {@return the tree} If it is to be built, so many threads may do it. */
+    synchronized Tree tree(int threads) {
+        if (tree == null) {
+            try (Pool pool = new Pool(threads)) {
+                tree = build(pool);
+            }
+        }
+        return tree;
+    }
+
+    private Tree build(Pool pool) {
+        int[] order = new int[triangles.count()];
+        for (int i = 0; i < order.length; i++) {
+            order[i] = i;
+        }
+        Bvh bvh = null;
+        if (order.length > 0) {
+            bvh = Bvh.of(new PrimitiveBounds(order, new PrimitiveBounds.Source() {
+                @Override
+                public void bounds(int i, double[] box) {
+                    triangles.bounds(i, box);
+                }
+            }, pool), pool);
+        }
+        int[] corners = new int[3 * order.length];
+        for (int i = 0; i < order.length; i++) {
+            for (int corner = 0; corner < 3; corner++) {
+                corners[3 * i + corner] = 3 * triangles.corners()[3 * order[i] + corner];
+            }
+        }
+        return new Tree(bvh, order, corners);
+    }
+}

@@ -1,0 +1,308 @@
+package simpleray.trace;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import simpleray.accel.Bvh;
+import simpleray.accel.LightBuffer;
+import simpleray.accel.Pool;
+import simpleray.accel.PrimitiveBounds;
+import simpleray.accel.UniformGrid;
+import simpleray.math.Bounds;
+import simpleray.math.Point;
+import simpleray.scene.Intersector;
+import simpleray.scene.Object;
+import simpleray.scene.Plane;
+import simpleray.scene.RayStats;
+import simpleray.scene.Scene;
+import simpleray.scene.Sphere;
+
+/**
+ * A scene made ready for fast rendering: its objects in flat arrays, the bounded ones first and in the order of a tree's leaves, then planes,
+ * then all others; a grid or tree of the bounded ones; and lists of what lies in each direction from the eye and the lights. <em>Constant</em>,
+ * as long as the scene is; any thread may ask for an intersector.
+ */
+public final class CompiledScene {
+    /** From so many objects on a grid or tree pays, and from so many parts a light buffer. */
+    private static final int MIN_MANY = 9;
+    /** So many parts are too many for light buffers: their lists would lie in no cache. */
+    private static final int MAX_PARTS = 1 << 22;
+    /** The most lights that get a buffer of their own. */
+    private static final int MAX_BUFFERS = 8;
+    /** Beyond this a float cannot say where something is. */
+    private static final double MAX_COORDINATE = 1e17;
+
+    final Scene scene;
+    /** Where primary rays start. */
+    final Point eye;
+    /** How many objects are bounded. */
+    final int bounded;
+    /** Where the planes end, which follow them, and all else that is not bounded begins. */
+    final int afterPlanes;
+    /** The place of each in the scene. */
+    final int[] order;
+    /** The objects themselves. */
+    final Object[] objects;
+    /** Four numbers for each bounded object: a sphere's centre and radius, or zeros. */
+    final double[] spheres;
+    /** Four numbers for each plane: its normal and constant. */
+    final double[] planes;
+    /** The grid of the bounded objects; null if they are few, or a tree. */
+    final UniformGrid grid;
+    /** The tree of the bounded objects; null if they are few, or a grid. */
+    final Bvh bvh;
+    /** The number of the first part of each bounded object, and at last how many parts there are; null if each has one. */
+    final int[] firstParts;
+    /** The parts by direction from the eye; null if they are not listed. */
+    final LightBuffer eyeBuffer;
+    /** The parts by direction from each light; null for one for which they are not listed. */
+    final LightBuffer[] lightBuffers;
+
+    private final int threads;
+    private final long rays;
+    private final boolean listed;                             // whether the eye's lists were made if they can be
+
+    /** Ways to the bounded objects. */
+    enum Structure { AUTO, GRID, BVH }
+
+    /**
+     * Makes a scene ready.
+     *
+     * @param scene the scene, which must not change any more
+     * @param eye where primary rays start
+     * @param threads how many threads may work on it
+     * @param rays about how many rays will start at the eye: light buffers pay if they are as many as there are parts to list
+     */
+    public CompiledScene(Scene scene, Point eye, int threads, long rays) {
+        this(scene, eye, threads, Structure.AUTO, rays);
+    }
+
+    /** Makes a scene ready in one way, with or without light buffers. */
+    CompiledScene(Scene scene, Point eye, int threads, Structure structure, boolean buffers) {
+        this(scene, eye, threads, structure, buffers ? Long.MAX_VALUE : 0);
+    }
+
+    private CompiledScene(Scene scene, Point eye, int threads, Structure structure, long rays) {
+        this.scene = scene;
+        this.rays = rays;
+        this.eye = eye;
+        this.threads = threads;
+        listed = true;
+        Object[] all = new Object[scene.getNumberObjects()];
+        for (int i = 0; i < all.length; i++) {
+            all[i] = scene.getObject(i);
+            all[i].prepare(threads);
+        }
+        int[] ids = bounded(all);
+        bounded = ids.length;
+        lightBuffers = new LightBuffer[scene.getNumberLights()];
+        try (Pool pool = new Pool(threads)) {
+            PrimitiveBounds bounds = bounded == 0 ? null : bounds(ids, all, pool);
+            boolean many = bounded >= (structure == Structure.AUTO ? MIN_MANY : 1);
+            grid = many && structure != Structure.BVH ? UniformGrid.of(bounds, structure == Structure.GRID, pool) : null;
+            bvh = many && grid == null ? Bvh.of(bounds, pool) : null;
+            // from here on the order of the boxes stays, and all else can be made at once
+            Pool.Task<UniformGrid> filling = grid == null ? null : pool.begin(grid::fill);
+            order = Arrays.copyOf(ids, all.length);
+            afterPlanes = arrange(all);
+            objects = new Object[all.length];
+            spheres = new double[4 * bounded];
+            planes = new double[4 * (afterPlanes - bounded)];
+            copy(all);
+            firstParts = firstParts();
+            PrimitiveBounds parts = !canBeListed() ? null : firstParts == null ? bounds : partBounds(pool);
+            Pool.Task<LightBuffer> fromEye = parts == null ? null : pool.begin(() -> LightBuffer.of(parts, eye.x, eye.y, eye.z));
+            List<Pool.Task<LightBuffer>> fromLights = new ArrayList<>();
+            for (int i = 0; parts != null && i < Math.min(MAX_BUFFERS, lightBuffers.length); i++) {
+                Point origin = scene.getLight(i).origin();
+                fromLights.add(origin == null ? null : pool.begin(() -> LightBuffer.of(parts, origin.x, origin.y, origin.z)));
+            }
+            for (int i = 0; i < fromLights.size(); i++) {
+                lightBuffers[i] = fromLights.get(i) == null ? null : pool.await(fromLights.get(i));
+            }
+            eyeBuffer = fromEye == null ? null : pool.await(fromEye);
+            if (filling != null) {
+                pool.await(filling);
+            }
+        }
+    }
+
+    /** Takes what does not depend on the eye. */
+    private CompiledScene(CompiledScene other, Point eye, boolean lists) {
+        scene = other.scene;
+        this.eye = eye;
+        threads = other.threads;
+        rays = other.rays;
+        bounded = other.bounded;
+        afterPlanes = other.afterPlanes;
+        order = other.order;
+        objects = other.objects;
+        spheres = other.spheres;
+        planes = other.planes;
+        grid = other.grid;
+        bvh = other.bvh;
+        firstParts = other.firstParts;
+        lightBuffers = other.lightBuffers;
+        boolean same = other.listed && eye.x == other.eye.x && eye.y == other.eye.y && eye.z == other.eye.z;
+        listed = lists || same;
+        eyeBuffer = same ? other.eyeBuffer : lists && canBeListed() ? eyeBuffer() : null;
+    }
+
+    private LightBuffer eyeBuffer() {
+        try (Pool pool = new Pool(threads)) {
+            return LightBuffer.of(partBounds(pool), eye.x, eye.y, eye.z);
+        }
+    }
+
+    /** {@return the places of the objects whose bounds a tree can hold, in order} */
+    private static int[] bounded(Object[] all) {
+        int[] places = new int[all.length];
+        int count = 0;
+        for (int i = 0; i < all.length; i++) {
+            Bounds b = all[i].bounds();
+            if (b != null && small(b.xmin()) && small(b.ymin()) && small(b.zmin()) && small(b.xmax()) && small(b.ymax())
+                && small(b.zmax())) {
+                places[count++] = i;
+            }
+        }
+        return Arrays.copyOf(places, count);
+    }
+
+    private static boolean small(double d) {
+        return Math.abs(d) < MAX_COORDINATE;                  // a NaN is not
+    }
+
+    private static PrimitiveBounds bounds(int[] ids, Object[] all, Pool pool) {
+        return new PrimitiveBounds(ids, new PrimitiveBounds.Source() {
+            @Override
+            public void bounds(int i, double[] box) {
+                all[i].bounds().get(box);                     // on which no memory is spent, unless they are kept
+            }
+        }, pool);
+    }
+
+    /** Puts the unbounded objects behind the others, planes first. {@return where the planes end} */
+    private int arrange(Object[] all) {
+        boolean[] placed = new boolean[all.length];
+        for (int i = 0; i < bounded; i++) {
+            placed[order[i]] = true;
+        }
+        int next = bounded;
+        for (int i = 0; i < all.length; i++) {
+            if (!placed[i] && all[i] instanceof Plane) {
+                order[next++] = i;
+                placed[i] = true;
+            }
+        }
+        int end = next;
+        for (int i = 0; i < all.length; i++) {
+            if (!placed[i]) {
+                order[next++] = i;
+            }
+        }
+        return end;
+    }
+
+    /** Fills the arrays; in the order of the scene, for so the objects lie in memory. */
+    private void copy(Object[] all) {
+        int[] ranks = new int[order.length];
+        for (int i = 0; i < order.length; i++) {
+            ranks[order[i]] = i;
+        }
+        for (int place = 0; place < all.length; place++) {
+            int i = ranks[place];
+            objects[i] = all[place];
+            if (i < bounded && all[place] instanceof Sphere sphere) {
+                set(spheres, i, sphere.centre.x, sphere.centre.y, sphere.centre.z, sphere.radius);
+            } else if (i >= bounded && i < afterPlanes && all[place] instanceof Plane plane) {
+                set(planes, i - bounded, plane.normal.x, plane.normal.y, plane.normal.z, plane.constant);
+            }
+        }
+    }
+
+    private static void set(double[] numbers, int i, double a, double b, double c, double d) {
+        numbers[4 * i] = a;
+        numbers[4 * i + 1] = b;
+        numbers[4 * i + 2] = c;
+        numbers[4 * i + 3] = d;
+    }
+
+    private int[] firstParts() {
+        long sum = 0;
+        boolean one = true;                                   // part in each object
+        int[] first = new int[bounded + 1];
+        for (int i = 0; i < bounded; i++) {
+            int parts = objects[i].parts();
+            one &= parts == 1;
+            sum += parts;
+            first[i + 1] = (int) Math.min(sum, Integer.MAX_VALUE);
+        }
+        return one ? null : first;
+    }
+
+    /** {@return how many parts the bounded objects have} */
+    private int parts() {
+        return firstParts == null ? bounded : firstParts[bounded];
+    }
+
+    private boolean canBeListed() {
+        return parts() >= MIN_MANY && parts() <= Math.min(rays, MAX_PARTS);
+    }
+
+    private PrimitiveBounds partBounds(Pool pool) {
+        int[] ids = new int[parts()];
+        for (int i = 0; i < ids.length; i++) {
+            ids[i] = i;
+        }
+        return new PrimitiveBounds(ids, new PrimitiveBounds.Source() {
+            @Override
+            public void bounds(int part, double[] box) {
+                int i = owner(part);
+                objects[i].partBounds(firstParts == null ? 0 : part - firstParts[i], box);
+            }
+        }, pool);
+    }
+
+    /** {@return the place in {@link #objects} of the one to which a part belongs} */
+    int owner(int part) {
+        if (firstParts == null) {
+            return part;
+        }
+        int low = 0;
+        int high = bounded - 1;
+        while (low < high) {
+            int middle = (low + high + 1) >>> 1;
+            if (firstParts[middle] <= part) {
+                low = middle;
+            } else {
+                high = middle - 1;
+            }
+        }
+        return low;
+    }
+
+    /**
+     * Makes the scene ready for another eye, or for the same one; what takes long is not done again.
+     *
+     * @param other where primary rays start
+     * @return a scene for that eye; it may lack the lists of what lies in each direction from there
+     */
+    public CompiledScene seenFrom(Point other) {
+        return new CompiledScene(this, other, false);
+    }
+
+    /** {@return this, or the same with lists of what lies in each direction from the eye} They take time, and make many rays faster. */
+    public CompiledScene listed() {
+        return listed ? this : new CompiledScene(this, eye, true);
+    }
+
+    /**
+     * Makes what finds hits in the scene, for one thread.
+     *
+     * @param stats gets the counts of tests and steps
+     * @return the intersector
+     */
+    public Intersector intersector(RayStats stats) {
+        return new AcceleratedIntersector(this, stats);
+    }
+}
