@@ -2,7 +2,7 @@ package simpleray.scene;
 
 /**
  * The nearest hit of a ray so far, of two at the same t that of the object listed first. <em>Mutable</em>: one thread's own, used again for
- * each ray.
+ * each ray. It also keeps what meshes have worked out of the ray, until {@link #reset()}: whoever goes on to another ray must call that first.
  */
 public final class Hit {
     /** No object. */

@@ -51,7 +51,7 @@ public abstract class Object implements SceneElement {
      *
      * @param ray the ray; its direction need not be of unit length
      * @param place the object's place in the scene, from 0
-     * @param hit becomes this object's if that comes before it
+     * @param hit becomes this object's if that comes before it; reset since the ray before
      */
     public void intersect(Ray ray, int place, Hit hit) {
         double t = intersect(ray);
@@ -93,7 +93,7 @@ public abstract class Object implements SceneElement {
      * @param ray the ray
      * @param distance the distance, in lengths of the ray's direction
      * @param part the part, from 0
-     * @param scratch working space, the calling thread's own
+     * @param scratch working space, the calling thread's own, reset since the ray before
      * @return whether it does
      */
     public boolean occludes(Ray ray, double distance, int part, Hit scratch) {
@@ -114,7 +114,7 @@ public abstract class Object implements SceneElement {
      *
      * @param ray the ray; its direction need not be of unit length
      * @param distance the distance, in lengths of the ray's direction
-     * @param scratch working space, the calling thread's own
+     * @param scratch working space, the calling thread's own, reset since the ray before
      * @return whether {@link #intersect(Ray)} finds a hit there
      */
     public boolean occludes(Ray ray, double distance, Hit scratch) {

@@ -23,7 +23,7 @@ public final class WhittedIntegrator implements Integrator {
     private final Hit hit = new Hit();
     private final Colour arriving = new Colour();
     private final Vector halfway = new Vector();
-    private Bounce[] bounces = {};                            // no objects are made for a ray
+    private Bounce[] bounces = {};                            // without a recorder no objects are made for a ray
 
     /** What is known at one depth of the recursion. */
     private static final class Bounce {

@@ -60,7 +60,7 @@ public final class CompiledScene {
 
     private final int threads;
     private final long rays;
-    private final boolean listed;                             // whether the eye's lists were made if they can be
+    private final boolean listed;                             // whether there is an eye buffer, unless none pays
 
     /** Ways to the bounded objects. */
     enum Structure { AUTO, GRID, BVH }
@@ -229,15 +229,15 @@ public final class CompiledScene {
 
     private int[] firstParts() {
         long sum = 0;
-        boolean one = true;                                   // part in each object
+        boolean alone = true;                                 // whether each object has but one part
         int[] first = new int[bounded + 1];
         for (int i = 0; i < bounded; i++) {
             int parts = objects[i].parts();
-            one &= parts == 1;
+            alone &= parts == 1;
             sum += parts;
             first[i + 1] = (int) Math.min(sum, Integer.MAX_VALUE);
         }
-        return one ? null : first;
+        return alone ? null : first;
     }
 
     /** {@return how many parts the bounded objects have} */
