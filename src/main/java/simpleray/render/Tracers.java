@@ -39,11 +39,6 @@ final class Tracers {
         return tracer(many && compiled != null ? listed() : compiled, stats);
     }
 
-    /** {@return a tracer whose rays are not counted} */
-    Tracer uncounted() {
-        return tracer(compiled, new RayStats());
-    }
-
     /** {@return what all threads did together, to be asked when they have ended; null if all objects were asked in turn} */
     RayStats stats() {
         if (compiled == null) {

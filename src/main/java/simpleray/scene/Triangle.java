@@ -90,7 +90,7 @@ public final class Triangle extends Object {
      *
      * @return twice the area that edge and ray span; its sign is exact, and the opposite for (q, p), on which all depends
      */
-    private static double edge(double px, double py, double qx, double qy) {
+    static double edge(double px, double py, double qx, double qy) {
         double one = px * qy;
         double other = py * qx;
         if (one != other) {                                   // rounding never swaps the two, at most it makes them equal

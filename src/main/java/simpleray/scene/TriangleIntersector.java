@@ -32,7 +32,7 @@ final class TriangleIntersector implements LeafIntersector {
     private final BvhTraversal traversal = new BvhTraversal(this);
     private TriangleMesh all;
     private double[] vertices;
-    private int[] corners;                                    // those of the tree's leaves, or of the triangles themselves
+    private int[] corners;                                    // of the tree's leaves
     private int[] order;
     private double ox;
     private double oy;
@@ -141,13 +141,6 @@ final class TriangleIntersector implements LeafIntersector {
         return found;
     }
 
-    /** {@return px qy - py qx} Its sign is exact, and the opposite for (q, p). */
-    private static double edge(double px, double py, double qx, double qy) {
-        double one = px * qy;
-        double other = py * qx;
-        return one == other ? Math.fma(px, qy, -one) - Math.fma(py, qx, -other) : one - other;
-    }
-
     /** {@return t of the ray's hit on the triangle whose corners' coordinates begin at these places, or a miss} */
     private double test(int p, int q, int r) {
         double[] v = vertices;
@@ -164,9 +157,9 @@ final class TriangleIntersector implements LeafIntersector {
         double wb = ax * cy - ay * cx;
         double wc = bx * ay - by * ax;
         if (wa == 0 || wb == 0 || wc == 0) {                  // perhaps by rounding alone: seen edge-on, it may be far from the ray
-            wa = edge(cx, cy, bx, by);
-            wb = edge(ax, ay, cx, cy);
-            wc = edge(bx, by, ax, ay);
+            wa = Triangle.edge(cx, cy, bx, by);
+            wb = Triangle.edge(ax, ay, cx, cy);
+            wc = Triangle.edge(bx, by, ax, ay);
         }
         if ((wa < 0 || wb < 0 || wc < 0) && (wa > 0 || wb > 0 || wc > 0)) {
             return Object.MISS;
