@@ -16,7 +16,7 @@ public final class BvhTraversal {
     /** How many nodes rays came to. */
     public long steps;
 
-    private final LeafIntersector leaves;
+    private final PrimitiveIntersector primitives;
     private final long[] stack = new long[Bvh.MAX_DEPTH];
 
     // the ray, as the tree sees it
@@ -35,10 +35,10 @@ public final class BvhTraversal {
     /**
      * Creates a traversal.
      *
-     * @param leaves tests the primitives
+     * @param primitives tests the primitives
      */
-    public BvhTraversal(LeafIntersector leaves) {
-        this.leaves = leaves;
+    public BvhTraversal(PrimitiveIntersector primitives) {
+        this.primitives = primitives;
     }
 
     /**
@@ -58,7 +58,7 @@ public final class BvhTraversal {
         if (way == Way.FOLLOWS) {
             closest(bvh.nodes, limit);
         } else if (way == Way.TESTS_ALL) {
-            leaves.closest(0, bvh.count);
+            primitives.closest(null, 0, bvh.count);
         }
     }
 
@@ -77,7 +77,7 @@ public final class BvhTraversal {
      */
     public boolean occluded(Bvh bvh, double x, double y, double z, double dx, double dy, double dz, double distance) {
         Way way = enter(bvh, x, y, z, dx, dy, dz);
-        return way == Way.FOLLOWS ? occluded(bvh.nodes, reach(distance)) : way == Way.TESTS_ALL && leaves.occluded(0, bvh.count);
+        return way == Way.FOLLOWS ? occluded(bvh.nodes, reach(distance)) : way == Way.TESTS_ALL && primitives.occluded(null, 0, bvh.count);
     }
 
     /** Brings a ray to the tree. */
@@ -187,7 +187,7 @@ public final class BvhTraversal {
             while (next <= 0) {
                 if (next < 0) {
                     int first = ~next >> Bvh.COUNT_BITS;
-                    reach = reach(leaves.closest(first, first + (~next & Bvh.COUNT_MASK)));
+                    reach = reach(primitives.closest(null, first, first + (~next & Bvh.COUNT_MASK)));
                 }
                 long entered;
                 do {
@@ -240,7 +240,7 @@ public final class BvhTraversal {
             while (next <= 0) {
                 if (next < 0) {
                     int first = ~next >> Bvh.COUNT_BITS;
-                    if (leaves.occluded(first, first + (~next & Bvh.COUNT_MASK))) {
+                    if (primitives.occluded(null, first, first + (~next & Bvh.COUNT_MASK))) {
                         steps += visited;
                         return true;
                     }

@@ -70,12 +70,12 @@ final class DirectionCube {
         return true;
     }
 
-    /** Gives a face a window, of these slopes. */
+    /** Opens the window of a face as far as these slopes. */
     void open(int face, double[] slopes) {
-        low[2 * face] = slopes[0];
-        high[2 * face] = slopes[1];
-        low[2 * face + 1] = slopes[2];
-        high[2 * face + 1] = slopes[3];
+        low[2 * face] = Math.min(low[2 * face], slopes[0]);
+        high[2 * face] = Math.max(high[2 * face], slopes[1]);
+        low[2 * face + 1] = Math.min(low[2 * face + 1], slopes[2]);
+        high[2 * face + 1] = Math.max(high[2 * face + 1], slopes[3]);
     }
 
     /** Divides the windows into about so many cells, in place of those that they had. */

@@ -14,8 +14,7 @@ public final class GridTraversal {
     public long steps;
 
     private final UniformGrid grid;
-    private final CellIntersector cells;
-    private final LeafIntersector leaves;
+    private final PrimitiveIntersector primitives;
 
     // where a ray enters, and how it goes on; in units of the grid
     private int column;
@@ -32,13 +31,11 @@ public final class GridTraversal {
      * Creates a traversal.
      *
      * @param grid the grid
-     * @param cells tests the primitives of a cell
-     * @param leaves tests all primitives, for rays that are too far away to be followed
+     * @param primitives tests those of a cell; and all, for rays that are too far away to be followed
      */
-    public GridTraversal(UniformGrid grid, CellIntersector cells, LeafIntersector leaves) {
+    public GridTraversal(UniformGrid grid, PrimitiveIntersector primitives) {
         this.grid = grid;
-        this.cells = cells;
-        this.leaves = leaves;
+        this.primitives = primitives;
     }
 
     /**
@@ -49,7 +46,7 @@ public final class GridTraversal {
      */
     public void closest(Ray ray, double limit) {
         if (!canFollow(ray)) {
-            leaves.closest(0, grid.primitives);
+            primitives.closest(null, 0, grid.primitives);
         } else if (enter(ray, limit)) {
             follow(ray, limit, false);
         }
@@ -63,7 +60,7 @@ public final class GridTraversal {
      * @return whether nothing more gets through
      */
     public boolean occluded(Ray ray, double distance) {
-        return canFollow(ray) ? enter(ray, distance) && follow(ray, distance, true) : leaves.occluded(0, grid.primitives);
+        return canFollow(ray) ? enter(ray, distance) && follow(ray, distance, true) : primitives.occluded(null, 0, grid.primitives);
     }
 
     /** {@return whether a ray starts so near that it can be followed; else all primitives must be tested} */
@@ -140,12 +137,12 @@ public final class GridTraversal {
         while (true) {
             visited++;
             if (shadow) {
-                blocked = cells.occluded(grid.places, starts[cell], starts[cell + 1]);
+                blocked = primitives.occluded(grid.places, starts[cell], starts[cell + 1]);
                 if (blocked) {
                     break;
                 }
             } else {
-                far = cells.closest(grid.places, starts[cell], starts[cell + 1]);
+                far = primitives.closest(grid.places, starts[cell], starts[cell + 1]);
             }
             if (tx < ty && tx < tz) {
                 if (far <= tx || --leftX < 0) {

@@ -26,7 +26,7 @@ public final class LightBuffer {
     private final int[] starts;
     /** The lists. */
     private final int[] lists;
-    /** How near each primitive is at least. */
+    /** How near each primitive in the lists is at least: beside them, for as many lists fit into the cache. */
     private final float[] near;
     /** From how far away a ray may come towards the point: from farther, rounding lets it hit what is not on its way. */
     private final double reach;
@@ -61,24 +61,19 @@ public final class LightBuffer {
         return starts[cell];
     }
 
-    /**
-     * Finds a primitive.
-     *
-     * @param i its place in the lists
-     * @return the primitive, as the boxes were numbered
-     */
-    public int primitive(int i) {
-        return lists[i];
+    /** {@return the lists of all cells, of primitives as the boxes were numbered} */
+    public int[] lists() {
+        return lists;
     }
 
     /**
      * Finds how near a primitive is.
      *
-     * @param primitive the primitive
+     * @param i its place in the lists
      * @return its distance from the point, or a little less
      */
-    public double near(int primitive) {
-        return near[primitive];
+    public double near(int i) {
+        return near[i];
     }
 
     /** {@return how far from the point a ray towards it may start} */
@@ -109,14 +104,14 @@ public final class LightBuffer {
         private final DirectionCube cube = new DirectionCube();
         private final double[] box = new double[PrimitiveBounds.SIDES];
         private final double[] slopes = new double[4];
-        private final float[] near;
         private int[] starts;
         private int[] lists;
+        private float[] near;
+        private float distance;
 
         Builder(PrimitiveBounds bounds, double[] point) {
             this.bounds = bounds;
             this.point = point;
-            near = new float[bounds.count()];
         }
 
         LightBuffer build() {
@@ -131,8 +126,7 @@ public final class LightBuffer {
             long listed = 0;
             for (int i = 0; i < n && listed <= 2 * most; i++) {
                 listed += list(i);
-                near[i] = (float) (distance(box) * bounds.extent * (1 - 0x1p-20));
-                nearest[i] = (long) Float.floatToRawIntBits(near[i]) << Integer.SIZE | i;
+                nearest[i] = (long) Float.floatToRawIntBits((float) (distance(box) * bounds.extent * (1 - 0x1p-20))) << Integer.SIZE | i;
             }
             if (listed > 2 * most) {                          // which the sample did not foretell
                 return null;
@@ -143,22 +137,23 @@ public final class LightBuffer {
                 starts[cell] = sum;
             }
             lists = new int[sum];
+            near = new float[sum];
             Arrays.sort(nearest);
             for (int k = n - 1; k >= 0; k--) {                // each list is filled from its end
+                distance = Float.intBitsToFloat((int) (nearest[k] >> Integer.SIZE));
                 list((int) nearest[k]);
             }
             return new LightBuffer(cube, starts, lists, near, bounds.reach());
         }
 
-        /** Makes windows for the box around all. */
+        /** Makes windows for all boxes. */
         private void openWindows() {
-            for (int axis = 0; axis < 3; axis++) {
-                box[axis] = -1 - point[axis];
-                box[axis + 3] = 1 - point[axis];
-            }
-            for (int face = 0; face < DirectionCube.FACES; face++) {
-                if (DirectionCube.sees(box, face, slopes)) {
-                    cube.open(face, slopes);
+            for (int i = 0; i < bounds.count(); i++) {
+                see(i);
+                for (int face = 0; face < DirectionCube.FACES; face++) {
+                    if (DirectionCube.sees(box, face, slopes)) {
+                        cube.open(face, slopes);
+                    }
                 }
             }
         }
@@ -223,6 +218,7 @@ public final class LightBuffer {
                     starts[k]++;
                 } else {
                     lists[--starts[k]] = i;
+                    near[starts[k]] = distance;
                 }
             }
         }

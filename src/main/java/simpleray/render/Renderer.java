@@ -30,6 +30,8 @@ public final class Renderer {
     private static final int EARLY_PART = 8;
     /** How far they are apart, as a share of the picture: the golden ratio spreads any number of them evenly. */
     private static final double APART = 0.6180339887498949;
+    /** A prime: steps of so many columns, round and round, come to each of fewer columns once. */
+    private static final int JUMP = 1_000_003;
 
     private final Scene scene;
     private final Camera camera;
@@ -248,18 +250,25 @@ public final class Renderer {
     }
 
     /**
-     * Renders a few rows from all over the picture: the machine compiles what it has seen at work, and would have to begin again for what only
-     * the lower rows show. They are kept until their turn comes.
+     * Renders a few rows from all over the picture, pixel by pixel in an order that jumps about: the machine compiles what it has seen at work,
+     * and would have to begin again for what only the other rows show. They are kept until their turn comes.
      */
     private void renderEarly(Sampler own) {
-        for (int k = nextEarly.getAndIncrement(); k < earlyRows() && !cancelled; k = nextEarly.getAndIncrement()) {
-            int y = (int) (k * APART % 1 * picture.height());
+        int share = (earlyRows() + threads() - 1) / threads();
+        int first = nextEarly.getAndAdd(share);
+        int last = Math.min(first + share, earlyRows());
+        int[] numbers = new int[Math.max(0, last - first)];
+        int count = 0;
+        for (int k = first; k < last; k++) {
+            int y = (int) ((0.5 + k * APART) % 1 * picture.height());
             if (known == null || known.apply(y) == null) {
-                double[] row = row(y, own, new double[3 * picture.width()]);
-                if (!cancelled) {
-                    early.put(y, row);
-                }
+                numbers[count++] = y;
             }
+        }
+        double[][] lights = new double[count][3 * picture.width()];
+        render(numbers, lights, JUMP, own);
+        for (int k = 0; k < count && !cancelled; k++) {
+            early.put(numbers[k], lights[k]);
         }
     }
 
@@ -293,29 +302,40 @@ public final class Renderer {
     private void work(Tracers tracers, RenderListener listener) {
         Sampler own = sampler(tracers.tracer(false));
         renderEarly(own);
-        double[] spare = null;                                // a row that was let go of
+        int[] number = {0};
+        double[][] light = new double[1][];
         for (int y = rows.next(); y >= 0 && !cancelled; y = rows.next()) {
-            double[] kept = kept(y);
-            double[] row = kept == null ? row(y, own, spare == null ? new double[3 * picture.width()] : spare) : kept;
+            double[] row = kept(y);
+            boolean isNew = row == null;
+            if (isNew) {
+                row = light[0] == null ? new double[3 * picture.width()] : light[0];
+                number[0] = y;
+                light[0] = row;
+                render(number, light, 1, own);
+            }
             if (!cancelled) {
                 picture.setRow(y, row);
                 listener.rowFinished(y);
                 rows.finished(y);
-                spare = kept == null && picture.row(y) == null ? row : null;
+                if (isNew && picture.row(y) != null) {
+                    light[0] = null;                          // else it was let go of, and holds the next row
+                }
             }
         }
     }
 
-    private double[] row(int y, Sampler own, double[] rgb) {
+    /** Renders rows side by side, columns in steps of some size, round and round. */
+    private void render(int[] numbers, double[][] lights, int step, Sampler own) {
         Colour colour = new Colour();
-        int left = region.x();
-        int top = region.y();
-        for (int x = 0; x < picture.width() && !cancelled; x++) {
-            own.pixel(left + x, top + y, colour);
-            rgb[3 * x] = colour.r;
-            rgb[3 * x + 1] = colour.g;
-            rgb[3 * x + 2] = colour.b;
+        int width = picture.width();
+        for (int i = 0; i < width; i++) {
+            int x = (int) ((long) i * step % width);
+            for (int k = 0; k < lights.length && !cancelled; k++) {
+                own.pixel(region.x() + x, region.y() + numbers[k], colour);
+                lights[k][3 * x] = colour.r;
+                lights[k][3 * x + 1] = colour.g;
+                lights[k][3 * x + 2] = colour.b;
+            }
         }
-        return rgb;
     }
 }

@@ -1,7 +1,7 @@
 package simpleray.scene;
 
 import simpleray.accel.BvhTraversal;
-import simpleray.accel.LeafIntersector;
+import simpleray.accel.PrimitiveIntersector;
 
 /**
  * A ray that looks for the nearest of many triangles. <em>Mutable</em>: one thread's own, used again for the next ray.
@@ -11,7 +11,7 @@ import simpleray.accel.LeafIntersector;
  * compared, and rounding never turns the sign of a difference of products (at most it makes it 0, and then it is found exactly; what still is
  * 0 counts as inside): no ray goes through between them, and none hits a triangle that is nowhere near.
  */
-final class TriangleIntersector implements LeafIntersector {
+final class TriangleIntersector implements PrimitiveIntersector {
     /** No triangle. */
     static final int NONE = Integer.MAX_VALUE;
 
@@ -106,7 +106,7 @@ final class TriangleIntersector implements LeafIntersector {
     }
 
     @Override
-    public double closest(int first, int end) {
+    public double closest(int[] list, int first, int end) {
         for (int i = first; i < end; i++) {
             double found = test(corners[3 * i], corners[3 * i + 1], corners[3 * i + 2]);
             if (found > 0 && (found < t || found == t && order[i] < triangle)) {
@@ -121,7 +121,7 @@ final class TriangleIntersector implements LeafIntersector {
     }
 
     @Override
-    public boolean occluded(int first, int end) {
+    public boolean occluded(int[] list, int first, int end) {
         for (int i = first; i < end; i++) {
             double found = test(corners[3 * i], corners[3 * i + 1], corners[3 * i + 2]);
             if (found > 0 && found < t) {

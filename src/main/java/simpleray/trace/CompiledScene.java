@@ -18,12 +18,12 @@ import simpleray.scene.Scene;
 import simpleray.scene.Sphere;
 
 /**
- * A scene made ready for fast rendering: its objects in flat arrays, the bounded ones first and in the order of a tree's leaves, then planes,
- * then all others; a grid or tree of the bounded ones; and lists of what lies in each direction from the eye and the lights. <em>Constant</em>,
+ * A scene made ready for fast rendering: its objects in flat arrays, the bounded ones first and in the order of a tree's leaves, planes
+ * last; a grid or tree of the bounded ones; and lists of what lies in each direction from the eye and the lights. <em>Constant</em>,
  * as long as the scene is; any thread may ask for an intersector.
  */
 public final class CompiledScene {
-    /** From so many objects on a grid or tree pays, and from so many parts a light buffer. */
+    /** From so many objects on a grid pays, and from so many parts a tree and a light buffer. */
     private static final int MIN_MANY = 9;
     /** So many parts are too many for light buffers: their lists would lie in no cache. */
     private static final int MAX_PARTS = 1 << 22;
@@ -37,16 +37,18 @@ public final class CompiledScene {
     final Point eye;
     /** How many objects are bounded. */
     final int bounded;
-    /** Where the planes end, which follow them, and all else that is not bounded begins. */
-    final int afterPlanes;
+    /** Where the planes begin, which are behind all others. */
+    final int firstPlane;
+    /** From here on each ray is tested with each object: those that are in no grid and no tree. */
+    final int unlisted;
     /** The place of each in the scene. */
     final int[] order;
     /** The objects themselves. */
     final Object[] objects;
-    /** Four numbers for each bounded object: a sphere's centre and radius, or zeros. */
-    final double[] spheres;
-    /** Four numbers for each plane: its normal and constant. */
-    final double[] planes;
+    /** Four numbers for each object: a sphere's centre and radius, a plane's normal and constant, or zeros. */
+    final double[] numbers;
+    /** Whether each lets no light through. */
+    final boolean[] opaque;
     /** The grid of the bounded objects; null if they are few, or a tree. */
     final UniformGrid grid;
     /** The tree of the bounded objects; null if they are few, or a grid. */
@@ -98,16 +100,17 @@ public final class CompiledScene {
         lightBuffers = new LightBuffer[scene.getNumberLights()];
         try (Pool pool = new Pool(threads)) {
             PrimitiveBounds bounds = bounded == 0 ? null : bounds(ids, all, pool);
-            boolean many = bounded >= (structure == Structure.AUTO ? MIN_MANY : 1);
-            grid = many && structure != Structure.BVH ? UniformGrid.of(bounds, structure == Structure.GRID, pool) : null;
-            bvh = many && grid == null ? Bvh.of(bounds, pool) : null;
+            boolean forced = structure != Structure.AUTO && bounded > 0;
+            grid = structure != Structure.BVH && (forced || bounded >= MIN_MANY) ? UniformGrid.of(bounds, forced, pool) : null;
+            bvh = grid == null && (forced || parts(ids, all) >= MIN_MANY) ? Bvh.of(bounds, pool) : null;
+            unlisted = grid == null && bvh == null ? 0 : bounded;
             // from here on the order of the boxes stays, and all else can be made at once
             Pool.Task<UniformGrid> filling = grid == null ? null : pool.begin(grid::fill);
             order = Arrays.copyOf(ids, all.length);
-            afterPlanes = arrange(all);
+            firstPlane = arrange(all);
             objects = new Object[all.length];
-            spheres = new double[4 * bounded];
-            planes = new double[4 * (afterPlanes - bounded)];
+            numbers = new double[4 * all.length];
+            opaque = new boolean[all.length];
             copy(all);
             firstParts = firstParts();
             PrimitiveBounds parts = !canBeListed() ? null : firstParts == null ? bounds : partBounds(pool);
@@ -134,11 +137,12 @@ public final class CompiledScene {
         threads = other.threads;
         rays = other.rays;
         bounded = other.bounded;
-        afterPlanes = other.afterPlanes;
+        firstPlane = other.firstPlane;
+        unlisted = other.unlisted;
         order = other.order;
         objects = other.objects;
-        spheres = other.spheres;
-        planes = other.planes;
+        numbers = other.numbers;
+        opaque = other.opaque;
         grid = other.grid;
         bvh = other.bvh;
         firstParts = other.firstParts;
@@ -168,6 +172,14 @@ public final class CompiledScene {
         return Arrays.copyOf(places, count);
     }
 
+    private static long parts(int[] ids, Object[] all) {
+        long sum = 0;
+        for (int i : ids) {
+            sum += all[i].parts();
+        }
+        return sum;
+    }
+
     private static boolean small(double d) {
         return Math.abs(d) < MAX_COORDINATE;                  // a NaN is not
     }
@@ -181,26 +193,25 @@ public final class CompiledScene {
         }, pool);
     }
 
-    /** Puts the unbounded objects behind the others, planes first. {@return where the planes end} */
+    /** Puts the unbounded objects behind the others, planes last. {@return where the planes begin} */
     private int arrange(Object[] all) {
         boolean[] placed = new boolean[all.length];
         for (int i = 0; i < bounded; i++) {
             placed[order[i]] = true;
         }
-        int next = bounded;
-        for (int i = 0; i < all.length; i++) {
+        int front = bounded;
+        int back = all.length;
+        for (int i = all.length - 1; i >= 0; i--) {
             if (!placed[i] && all[i] instanceof Plane) {
-                order[next++] = i;
-                placed[i] = true;
+                order[--back] = i;
             }
         }
-        int end = next;
         for (int i = 0; i < all.length; i++) {
-            if (!placed[i]) {
-                order[next++] = i;
+            if (!placed[i] && !(all[i] instanceof Plane)) {
+                order[front++] = i;
             }
         }
-        return end;
+        return back;
     }
 
     /** Fills the arrays; in the order of the scene, for so the objects lie in memory. */
@@ -212,15 +223,16 @@ public final class CompiledScene {
         for (int place = 0; place < all.length; place++) {
             int i = ranks[place];
             objects[i] = all[place];
+            opaque[i] = all[place].surfaceMaterial.transmission.isBlack();
             if (i < bounded && all[place] instanceof Sphere sphere) {
-                set(spheres, i, sphere.centre.x, sphere.centre.y, sphere.centre.z, sphere.radius);
-            } else if (i >= bounded && i < afterPlanes && all[place] instanceof Plane plane) {
-                set(planes, i - bounded, plane.normal.x, plane.normal.y, plane.normal.z, plane.constant);
+                set(i, sphere.centre.x, sphere.centre.y, sphere.centre.z, sphere.radius);
+            } else if (all[place] instanceof Plane plane) {
+                set(i, plane.normal.x, plane.normal.y, plane.normal.z, plane.constant);
             }
         }
     }
 
-    private static void set(double[] numbers, int i, double a, double b, double c, double d) {
+    private void set(int i, double a, double b, double c, double d) {
         numbers[4 * i] = a;
         numbers[4 * i + 1] = b;
         numbers[4 * i + 2] = c;
@@ -246,7 +258,7 @@ public final class CompiledScene {
     }
 
     private boolean canBeListed() {
-        return parts() >= MIN_MANY && parts() <= Math.min(rays, MAX_PARTS);
+        return unlisted > 0 && parts() >= MIN_MANY && parts() <= Math.min(rays, MAX_PARTS);
     }
 
     private PrimitiveBounds partBounds(Pool pool) {

@@ -4,7 +4,7 @@ package simpleray.accel;
  * A ray among boxes: it hits one where it enters, or where it starts if that is inside; of two at the same t the one with the lower number.
  * Knows which boxes it was shown.
  */
-final class BoxIntersector implements LeafIntersector, CellIntersector {
+final class BoxIntersector implements PrimitiveIntersector {
     /** No box. */
     static final int NONE = Integer.MAX_VALUE;
 
@@ -34,21 +34,13 @@ final class BoxIntersector implements LeafIntersector, CellIntersector {
 
     /** Finds by a look at each box what {@link #closest} is to find. */
     void closestOfAll() {
-        closest(0, boxes.length);
-    }
-
-    @Override
-    public double closest(int first, int end) {
-        for (int i = first; i < end; i++) {
-            closest(ids[i]);
-        }
-        return t;
+        closest(null, 0, boxes.length);
     }
 
     @Override
     public double closest(int[] list, int first, int end) {
         for (int k = first; k < end; k++) {
-            closest(ids[list[k]]);
+            closest(ids[list == null ? k : list[k]]);
         }
         return t;
     }
@@ -63,19 +55,9 @@ final class BoxIntersector implements LeafIntersector, CellIntersector {
     }
 
     @Override
-    public boolean occluded(int first, int end) {
-        for (int i = first; i < end; i++) {
-            if (occluded(ids[i])) {
-                return true;
-            }
-        }
-        return false;
-    }
-
-    @Override
     public boolean occluded(int[] list, int first, int end) {
         for (int k = first; k < end; k++) {
-            if (occluded(ids[list[k]])) {
+            if (occluded(ids[list == null ? k : list[k]])) {
                 return true;
             }
         }

@@ -215,20 +215,20 @@ class BvhTraversalTest {
     }
 
     /** Knows which leaves are shown, and lets all through. */
-    private static final class Leaves implements LeafIntersector {
+    private static final class Leaves implements PrimitiveIntersector {
         final List<Integer> shown = new ArrayList<>();
         boolean all;
         double t;
 
         @Override
-        public double closest(int first, int end) {
+        public double closest(int[] list, int first, int end) {
             shown.add(first);
             all |= end - first > Bvh.COUNT_MASK;
             return t;
         }
 
         @Override
-        public boolean occluded(int first, int end) {
+        public boolean occluded(int[] list, int first, int end) {
             shown.add(first);
             all |= end - first > Bvh.COUNT_MASK;
             return false;

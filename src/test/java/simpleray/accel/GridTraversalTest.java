@@ -28,7 +28,7 @@ class GridTraversalTest {
             UniformGrid grid = UniformGrid.of(bounds, true, pool).fill();
             walked = new BoxIntersector(boxes, bounds.ids());
             looped = new BoxIntersector(boxes, bounds.ids());
-            traversal = new GridTraversal(grid, walked, walked);
+            traversal = new GridTraversal(grid, walked);
         }
     }
 

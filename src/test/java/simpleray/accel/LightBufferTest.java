@@ -3,9 +3,9 @@ package simpleray.accel;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Arrays;
-import java.util.HashSet;
+import java.util.HashMap;
+import java.util.Map;
 import java.util.Random;
-import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -19,16 +19,15 @@ class LightBufferTest {
         return new double[] {x / length, y / length, z / length};
     }
 
-    /** {@return the list of a direction, checked to be sorted} */
-    private static Set<Integer> list(LightBuffer buffer, double[] d) {
+    /** {@return how near is at least what stands in the list of a direction, which is checked to be sorted} */
+    private static Map<Integer, Double> list(LightBuffer buffer, double[] d) {
         int cell = buffer.cell(d[0], d[1], d[2]);
-        Set<Integer> list = new HashSet<>();
+        Map<Integer, Double> list = new HashMap<>();
         double near = 0;
         for (int k = buffer.start(cell); k < buffer.start(cell + 1); k++) {
-            int primitive = buffer.primitive(k);
-            assertThat(buffer.near(primitive)).as("the nearest come first").isGreaterThanOrEqualTo(near);
-            near = buffer.near(primitive);
-            assertThat(list.add(primitive)).as("each stands there once").isTrue();
+            assertThat(buffer.near(k)).as("the nearest come first").isGreaterThanOrEqualTo(near);
+            near = buffer.near(k);
+            assertThat(list.put(buffer.lists()[k], near)).as("each stands there once").isNull();
         }
         return list;
     }
@@ -51,14 +50,14 @@ class LightBufferTest {
             double[] d = i % 10 == 0 ? unit(random.nextGaussian(), random.nextGaussian(), random.nextGaussian())
                 : i % 10 == 1 ? unit(i % 3 == 0 ? 1 : 0, i % 3 == 1 ? -1 : 0, i % 3 == 2 ? 1 : 0)
                 : unit(aim[0] - x, aim[1] - y, aim[2] - z);
-            Set<Integer> list = list(buffer, d);
+            Map<Integer, Double> list = list(buffer, d);
             listed += list.size();
             for (int k = 0; k < count; k++) {
                 double t = Boxes.entry(boxes[k], new double[] {x, y, z, d[0], d[1], d[2]});
                 if (t >= 0) {
                     hits++;
-                    assertThat(list).as("seed %d, ray %d", SEED, i).contains(k);
-                    assertThat(buffer.near(k)).isLessThanOrEqualTo(t);
+                    assertThat(list).as("seed %d, ray %d", SEED, i).containsKey(k);
+                    assertThat(list.get(k)).isLessThanOrEqualTo(t);
                 }
             }
         }
@@ -71,8 +70,8 @@ class LightBufferTest {
     void aPrimitiveIsAsNearAsItsNearestCorner() {
         LightBuffer buffer = LightBuffer.of(Boxes.bounds(new double[] {3, 4, -1, 4, 5, 1}, new double[] {-1, -1, -1, 1, 1, 1}), 0, 0, 0);
 
-        assertThat(buffer.near(0)).isBetween(5 - 1e-4, 5.0);
-        assertThat(buffer.near(1)).isZero();
+        assertThat(list(buffer, unit(3, 4, 0)).get(0)).isBetween(5 - 1e-4, 5.0);
+        assertThat(list(buffer, unit(1, 2, 3))).containsExactly(Map.entry(1, 0.0));
     }
 
     @Test
@@ -84,7 +83,7 @@ class LightBufferTest {
         int cell = buffer.cell(1, 0, 0);
         assertThat(buffer.start(cell + 1) - buffer.start(cell)).isEqualTo(12);
         for (int i = 0; i < 12; i++) {
-            assertThat(row[buffer.primitive(buffer.start(cell) + i)][0]).isEqualTo(i + 1);
+            assertThat(row[buffer.lists()[buffer.start(cell) + i]][0]).isEqualTo(i + 1);
         }
     }
 

@@ -3,7 +3,9 @@ package simpleray.render;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import java.util.concurrent.atomic.AtomicInteger;
+import java.util.BitSet;
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.AtomicReference;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -67,10 +69,11 @@ class RendererFaultTest {
         IllegalStateException fault = new IllegalStateException("a fault of this object");
         AtomicReference<Thread> thrower = new AtomicReference<>();
         AtomicReference<Thread> other = new AtomicReference<>();
-        AtomicInteger rays = new AtomicInteger();
+        Map<Thread, Integer> rays = new ConcurrentHashMap<>();
+        BitSet finished = new BitSet();
         Obstacle obstacle = new Obstacle(ray -> {
-            // the first rays are of rows that are rendered before their turn, for which nobody waits
-            if (rays.incrementAndGet() > EARLY_ROWS && thrower.compareAndSet(null, Thread.currentThread())) {
+            // the first rays of each are of rows that are rendered before their turn, for which nobody waits
+            if (rays.merge(Thread.currentThread(), 1, Integer::sum) > EARLY_ROWS / 2 && thrower.compareAndSet(null, Thread.currentThread())) {
                 while (other.get() == null || other.get().getState() != Thread.State.WAITING) {
                     Thread.onSpinWait();
                 }
@@ -81,12 +84,16 @@ class RendererFaultTest {
             }
             return Object.MISS;
         });
-        AtomicInteger rows = new AtomicInteger();
         Renderer renderer = new Renderer(obstacle.alone(), new SimpleCamera(1, 10_000), new RenderSettings(Stage.FINAL, 0, 1, 2));
 
-        assertThatThrownBy(() -> renderer.render(y -> rows.incrementAndGet())).isSameAs(fault);
+        assertThatThrownBy(() -> renderer.render(y -> {
+            synchronized (finished) {
+                finished.set(y);
+            }
+        })).isSameAs(fault);
 
-        assertThat(rows.get()).isBetween(255, 257);           // of those that may be begun, all but the faulty; before it there may be two
+        int faulty = finished.nextClearBit(0);
+        assertThat(finished.nextClearBit(faulty + 1)).as("256 rows may be begun").isEqualTo(faulty + 256).isEqualTo(finished.length());
         assertThat(obstacle.threads).hasSize(2).noneMatch(Thread::isAlive);
     }
 
