@@ -20,22 +20,21 @@ public final class LightBuffer {
     private static final long MAX_LISTED = 1 << 22;
     /** How many extents from the middle the point may be. */
     private static final double MAX_DISTANCE = 1e4;
+    /** So many primitives, which are mostly neighbours, are seen as one where exactness is of no use. */
+    private static final int NEIGHBOURS = 16;
 
     private final DirectionCube cube;
     /** Where the list of each cell begins, and at last where the last one ends. */
     private final int[] starts;
-    /** The lists. */
+    /** The lists: of each primitive its number, and the bits of how near it is at least. */
     private final int[] lists;
-    /** How near each primitive in the lists is at least: beside them, for as many lists fit into the cache. */
-    private final float[] near;
     /** From how far away a ray may come towards the point: from farther, rounding lets it hit what is not on its way. */
     private final double reach;
 
-    private LightBuffer(DirectionCube cube, int[] starts, int[] lists, float[] near, double reach) {
+    private LightBuffer(DirectionCube cube, int[] starts, int[] lists, double reach) {
         this.cube = cube;
         this.starts = starts;
         this.lists = lists;
-        this.near = near;
         this.reach = reach;
     }
 
@@ -61,9 +60,14 @@ public final class LightBuffer {
         return starts[cell];
     }
 
-    /** {@return the lists of all cells, of primitives as the boxes were numbered} */
-    public int[] lists() {
-        return lists;
+    /**
+     * Finds a primitive.
+     *
+     * @param i its place in the lists
+     * @return the primitive, as the boxes were numbered
+     */
+    public int primitive(int i) {
+        return lists[2 * i];
     }
 
     /**
@@ -73,7 +77,7 @@ public final class LightBuffer {
      * @return its distance from the point, or a little less
      */
     public double near(int i) {
-        return near[i];
+        return Float.intBitsToFloat(lists[2 * i + 1]);
     }
 
     /** {@return how far from the point a ray towards it may start} */
@@ -106,8 +110,7 @@ public final class LightBuffer {
         private final double[] slopes = new double[4];
         private int[] starts;
         private int[] lists;
-        private float[] near;
-        private float distance;
+        private int near;
 
         Builder(PrimitiveBounds bounds, double[] point) {
             this.bounds = bounds;
@@ -136,20 +139,19 @@ public final class LightBuffer {
                 sum += starts[cell];
                 starts[cell] = sum;
             }
-            lists = new int[sum];
-            near = new float[sum];
+            lists = new int[2 * sum];
             Arrays.sort(nearest);
             for (int k = n - 1; k >= 0; k--) {                // each list is filled from its end
-                distance = Float.intBitsToFloat((int) (nearest[k] >> Integer.SIZE));
+                near = (int) (nearest[k] >> Integer.SIZE);
                 list((int) nearest[k]);
             }
-            return new LightBuffer(cube, starts, lists, near, bounds.reach());
+            return new LightBuffer(cube, starts, lists, bounds.reach());
         }
 
-        /** Makes windows for all boxes. */
+        /** Makes windows for all boxes, of neighbours at once. */
         private void openWindows() {
-            for (int i = 0; i < bounds.count(); i++) {
-                see(i);
+            for (int first = 0; first < bounds.count(); first += NEIGHBOURS) {
+                see(first, Math.min(first + NEIGHBOURS, bounds.count()));
                 for (int face = 0; face < DirectionCube.FACES; face++) {
                     if (DirectionCube.sees(box, face, slopes)) {
                         cube.open(face, slopes);
@@ -174,13 +176,18 @@ public final class LightBuffer {
             return false;
         }
 
-        /** Finds the box of a primitive as seen from the point. */
-        private void see(int i) {
-            int at = PrimitiveBounds.SIDES * i;
+        /** Finds the box around some primitives as seen from the point. */
+        private void see(int first, int end) {
             float[] s = bounds.sides;
             for (int axis = 0; axis < 3; axis++) {
-                box[axis] = s[at + axis] - point[axis];
-                box[axis + 3] = s[at + axis + 3] - point[axis];
+                float low = Float.POSITIVE_INFINITY;
+                float high = Float.NEGATIVE_INFINITY;
+                for (int at = PrimitiveBounds.SIDES * first + axis; at < PrimitiveBounds.SIDES * end; at += PrimitiveBounds.SIDES) {
+                    low = Math.min(low, s[at]);
+                    high = Math.max(high, s[at + 3]);
+                }
+                box[axis] = low - point[axis];
+                box[axis + 3] = high - point[axis];
             }
         }
 
@@ -195,7 +202,7 @@ public final class LightBuffer {
 
         /** Counts a primitive in the cells in which it may be seen; or lists it there, from the end of each list. {@return how many} */
         private long list(int i) {
-            see(i);
+            see(i, i + 1);
             long cells = 0;
             for (int face = 0; face < DirectionCube.FACES; face++) {
                 if (DirectionCube.sees(box, face, slopes)) {
@@ -217,8 +224,9 @@ public final class LightBuffer {
                 if (lists == null) {
                     starts[k]++;
                 } else {
-                    lists[--starts[k]] = i;
-                    near[starts[k]] = distance;
+                    int at = 2 * --starts[k];
+                    lists[at] = i;
+                    lists[at + 1] = near;
                 }
             }
         }

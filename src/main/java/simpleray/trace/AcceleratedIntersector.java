@@ -68,15 +68,15 @@ final class AcceleratedIntersector implements Intersector, PrimitiveIntersector 
         Point eye = compiled.eye;
         if (compiled.eyeBuffer != null && o.x == eye.x && o.y == eye.y && o.z == eye.z) {
             LightBuffer buffer = compiled.eyeBuffer;          // the parts in this direction, until the rest is farther away
-            int[] lists = buffer.lists();
             int cell = buffer.cell(d.x, d.y, d.z);
             int end = buffer.start(cell + 1);
             for (int k = buffer.start(cell); k < end && buffer.near(k) <= hit.t; k++) {
+                int part = buffer.primitive(k);
                 if (firstParts == null) {
-                    closest(lists, k, k + 1);
+                    closest(null, part, part + 1);
                 } else {
-                    int i = compiled.owner(lists[k]);
-                    objects[i].intersect(ray, order[i], lists[k] - firstParts[i], hit);
+                    int i = compiled.owner(part);
+                    objects[i].intersect(ray, order[i], part - firstParts[i], hit);
                     stats.tests++;
                 }
             }
@@ -107,15 +107,16 @@ final class AcceleratedIntersector implements Intersector, PrimitiveIntersector 
         Point o = ray.origin;
         Vector d = ray.direction;
         if (buffer != null && distance <= buffer.reach()) {
-            int[] lists = buffer.lists();                     // the parts between there and here, seen from the light
+            // the parts between there and here, seen from the light
             int cell = buffer.cell(-d.x, -d.y, -d.z);
             int end = buffer.start(cell + 1);
             for (int k = buffer.start(cell); k < end && !blocked && buffer.near(k) <= distance; k++) {
+                int part = buffer.primitive(k);
                 if (firstParts == null) {
-                    blocked = occluded(lists, k, k + 1);
+                    blocked = occluded(null, part, part + 1);
                 } else {
-                    int i = compiled.owner(lists[k]);
-                    blocked = objects[i].occludes(ray, distance, lists[k] - firstParts[i], scratch) && blocks(i);
+                    int i = compiled.owner(part);
+                    blocked = objects[i].occludes(ray, distance, part - firstParts[i], scratch) && blocks(i);
                     stats.tests++;
                 }
             }
@@ -199,7 +200,8 @@ final class AcceleratedIntersector implements Intersector, PrimitiveIntersector 
     public boolean occluded(int[] list, int first, int end) {
         for (int k = first; k < end; k++) {
             int i = list == null ? k : list[k];
-            if ((numbers[4 * i + 3] > 0 ? scratch.accepts(sphere(i), order[i]) : objects[i].occludes(ray, distance, scratch)) && blocks(i)) {
+            boolean isSphere = numbers[4 * i + 3] > 0;
+            if ((isSphere ? scratch.accepts(sphere(i), order[i]) : objects[i].occludes(ray, distance, scratch)) && blocks(i)) {
                 stats.tests += k - first + 1;
                 return true;
             }

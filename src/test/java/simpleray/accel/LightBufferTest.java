@@ -27,7 +27,7 @@ class LightBufferTest {
         for (int k = buffer.start(cell); k < buffer.start(cell + 1); k++) {
             assertThat(buffer.near(k)).as("the nearest come first").isGreaterThanOrEqualTo(near);
             near = buffer.near(k);
-            assertThat(list.put(buffer.lists()[k], near)).as("each stands there once").isNull();
+            assertThat(list.put(buffer.primitive(k), near)).as("each stands there once").isNull();
         }
         return list;
     }
@@ -83,7 +83,7 @@ class LightBufferTest {
         int cell = buffer.cell(1, 0, 0);
         assertThat(buffer.start(cell + 1) - buffer.start(cell)).isEqualTo(12);
         for (int i = 0; i < 12; i++) {
-            assertThat(row[buffer.lists()[buffer.start(cell) + i]][0]).isEqualTo(i + 1);
+            assertThat(row[buffer.primitive(buffer.start(cell) + i)][0]).isEqualTo(i + 1);
         }
     }
 

@@ -73,7 +73,8 @@ class RendererFaultTest {
         BitSet finished = new BitSet();
         Obstacle obstacle = new Obstacle(ray -> {
             // the first rays of each are of rows that are rendered before their turn, for which nobody waits
-            if (rays.merge(Thread.currentThread(), 1, Integer::sum) > EARLY_ROWS / 2 && thrower.compareAndSet(null, Thread.currentThread())) {
+            boolean early = rays.merge(Thread.currentThread(), 1, Integer::sum) <= EARLY_ROWS / 2;
+            if (!early && thrower.compareAndSet(null, Thread.currentThread())) {
                 while (other.get() == null || other.get().getState() != Thread.State.WAITING) {
                     Thread.onSpinWait();
                 }
