@@ -27,7 +27,7 @@ import simpleray.cli.Main;
 class RoomsTest {
     /** The floor of each room; rooms of one floor do not know each other. */
     private static final Map<String, Integer> FLOORS = new TreeMap<>(Map.of("simpleray.text", 0, "simpleray.math", 1,
-        "simpleray.image", 2, "simpleray.accel", 2, "simpleray.scene", 3, "simpleray.trace", 4, "simpleray.render", 5, "simpleray.ui", 6,
+        "simpleray.image", 2, "simpleray.accel", 2, "simpleray.scene", 3, "simpleray.trace", 4, "simpleray.pov", 4, "simpleray.render", 5, "simpleray.ui", 6,
         "simpleray.cli", 7));
     private static final String SCENE = "simpleray.scene";
     private static final String UI = "simpleray.ui";

@@ -8,10 +8,10 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.ParentCommand;
+import simpleray.pov.PovChannel;
+import simpleray.pov.PovExporter;
 import simpleray.render.RenderSettings;
 import simpleray.render.Stage;
-import simpleray.scene.PovChannel;
-import simpleray.scene.PovScene;
 import simpleray.scene.Scene;
 import simpleray.scene.SceneSettings;
 
@@ -53,7 +53,7 @@ final class ExportCommand implements Callable<Integer> {
         Scene read = SceneArgument.read(scene, main.in(), main.err(), outside.reach()).scene();
         read.settings = read.settings.under(asked);
         int depth = read.settings.depth == null ? RenderSettings.DEFAULT_DEPTH : read.settings.depth;
-        PovScene exported = new PovScene(read, read.settings.newCamera(), depth, channel);
+        PovExporter exported = new PovExporter(read, read.settings.newCamera(), depth, channel);
         try {
             TextOutput.write(main, output, exported::write);
         } catch (UnsupportedOperationException e) {

@@ -1,9 +1,7 @@
 package simpleray.scene;
 
-import java.io.IOException;
 import simpleray.math.Point;
 import simpleray.math.Ray;
-import simpleray.text.SceneWriter;
 
 /** A viewer: makes the rays that go through a picture. Any thread may ask once it is set up. */
 public interface Camera {
@@ -37,15 +35,4 @@ public interface Camera {
      * @param ray gets the ray; its direction is of unit length
      */
     void through(double px, double py, Ray ray);
-
-    /**
-     * Writes the camera for POV-Ray 3.7, whole.
-     *
-     * @param os where to
-     * @throws IOException if it cannot be written
-     * @throws UnsupportedOperationException if the camera has no such form
-     */
-    default void writePov(SceneWriter os) throws IOException {
-        throw new UnsupportedOperationException("no form for POV-Ray is known of a " + getClass().getSimpleName());
-    }
 }

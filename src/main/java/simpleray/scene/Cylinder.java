@@ -165,16 +165,6 @@ public final class Cylinder extends Object {
     }
 
     @Override
-    public void writePov(SceneWriter os) throws IOException {
-        os.writeString("cylinder { ");
-        Pov.vector(os, start.x, start.y, start.z);
-        os.writeString(", ");
-        Pov.vector(os, end.x, end.y, end.z);
-        os.writeString(", ");
-        os.writeDouble(radius);
-    }
-
-    @Override
     public boolean isSolid() {
         return true;
     }

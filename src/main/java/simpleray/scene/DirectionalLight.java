@@ -1,7 +1,6 @@
 package simpleray.scene;
 
 import java.io.IOException;
-import simpleray.math.Colour;
 import simpleray.math.Point;
 import simpleray.math.Vector;
 import simpleray.text.SceneReader;
@@ -9,9 +8,6 @@ import simpleray.text.SceneWriter;
 
 /** A light whose rays are parallel, from infinitely far (thesis, chapter 5). */
 public final class DirectionalLight extends Light {
-    /** How far away it stands in POV-Ray, which knows no infinity. */
-    private static final double POV_DISTANCE = 1e6;
-
     /** The direction in which the light travels; need not be of unit length, must not be zero. */
     public Vector direction;
 
@@ -41,17 +37,6 @@ public final class DirectionalLight extends Light {
     @Override
     public Point origin() {
         return null;
-    }
-
-    @Override
-    public void writePov(SceneWriter os, Colour colour) throws IOException {
-        Vector from = direction.normalised();
-        from.scale(-POV_DISTANCE);
-        os.writeString("light_source { ");
-        Pov.vector(os, from.x, from.y, from.z);
-        os.writeString(", ");
-        Pov.colour(os, colour);
-        os.writeString(" parallel point_at <0,0,0>");
     }
 
     @Override

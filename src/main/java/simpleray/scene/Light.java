@@ -33,18 +33,6 @@ public abstract class Light implements SceneElement {
     public abstract Point origin();
 
     /**
-     * Writes the light for POV-Ray 3.7, without the closing brace, as in {@link PointLight#writePov}.
-     *
-     * @param os where to
-     * @param colour the colour to write in place of its own
-     * @throws IOException if it cannot be written
-     * @throws UnsupportedOperationException if the light has no such form
-     */
-    public void writePov(SceneWriter os, Colour colour) throws IOException {
-        throw new UnsupportedOperationException("no form for POV-Ray is known of a " + getClass().getSimpleName());
-    }
-
-    /**
      * Prints the light as the thesis's Interpretation does, one line without its line break.
      *
      * @param os where to

@@ -75,6 +75,36 @@ public final class Mesh extends Object {
         return mesh.triangles.count();
     }
 
+    /**
+     * Finds a vertex of a triangle, where it lies in the scene.
+     *
+     * @param triangle the triangle, from 0
+     * @param corner which of its vertices, from 0 to 2
+     * @return the vertex, a new point
+     */
+    public Point vertex(int triangle, int corner) {
+        int v = 3 * mesh.triangles.corners()[3 * triangle + corner];
+        double[] all = mesh.triangles.vertices();
+        return new Point(all[v] * scale + offset.x, all[v + 1] * scale + offset.y, all[v + 2] * scale + offset.z);
+    }
+
+    /**
+     * Finds the normal that the file gives a vertex of a triangle.
+     *
+     * @param triangle the triangle, from 0
+     * @param corner which of its vertices, from 0 to 2
+     * @return the normal, a new vector of unit length, or zero where the file's points nowhere; null if the triangle has no such normals
+     */
+    public Vector vertexNormal(int triangle, int corner) {
+        int[] numbers = mesh.triangles.cornerNormals();
+        if (numbers == null || numbers[3 * triangle] < 0) {
+            return null;
+        }
+        int n = 3 * numbers[3 * triangle + corner];
+        double[] all = mesh.triangles.normals();
+        return new Vector(all[n], all[n + 1], all[n + 2]);
+    }
+
     /** {@return the triangles, which other meshes may share} */
     TriangleMesh mesh() {
         return mesh;
@@ -214,30 +244,6 @@ public final class Mesh extends Object {
         double z = box[at + 2] * scale;
         return new Point(x + offset.x + share * (Math.abs(x) + Math.abs(offset.x)),
             y + offset.y + share * (Math.abs(y) + Math.abs(offset.y)), z + offset.z + share * (Math.abs(z) + Math.abs(offset.z)));
-    }
-
-    /** {@inheritDoc} POV-Ray's normal of a triangle points the other way, and so its vertices run the other way round. */
-    @Override
-    public void writePov(SceneWriter os) throws IOException {
-        Triangles all = mesh.triangles;
-        os.writeString("mesh {\n");
-        for (int i = 0; i < size(); i++) {
-            boolean smooth = all.cornerNormals() != null && all.cornerNormals()[3 * i] >= 0;
-            os.writeString(smooth ? "smooth_triangle { " : "triangle { ");
-            for (int corner : new int[] {0, 2, 1}) {
-                os.writeString(corner == 0 ? "" : ", ");
-                int v = 3 * all.corners()[3 * i + corner];
-                Pov.vector(os, all.vertices()[v] * scale + offset.x, all.vertices()[v + 1] * scale + offset.y,
-                    all.vertices()[v + 2] * scale + offset.z);
-                if (smooth) {
-                    int n = 3 * all.cornerNormals()[3 * i + corner];
-                    os.writeString(", ");
-                    Pov.vector(os, all.normals()[n], all.normals()[n + 1], all.normals()[n + 2]);
-                }
-            }
-            os.writeString(" }\n");
-        }
-        os.writeString("inside_vector <0.1, 0.2, 1>");
     }
 
     @Override

@@ -176,17 +176,6 @@ public abstract class Object implements SceneElement {
     @Override
     public abstract void write(SceneWriter os) throws IOException;
 
-    /**
-     * Writes the shape for POV-Ray 3.7, without what it is made of and without the closing brace, as in {@link Sphere#writePov}.
-     *
-     * @param os where to
-     * @throws IOException if it cannot be written
-     * @throws UnsupportedOperationException if the object has no such form
-     */
-    public void writePov(SceneWriter os) throws IOException {
-        throw new UnsupportedOperationException("no form for POV-Ray is known of a " + getClass().getSimpleName());
-    }
-
     /** {@return whether it is closed all around, and thus has an inside that is not infinite} */
     public boolean isSolid() {
         return false;

@@ -1,10 +1,8 @@
 package simpleray.scene;
 
-import java.io.IOException;
 import simpleray.math.Point;
 import simpleray.math.Ray;
 import simpleray.math.Vector;
-import simpleray.text.SceneWriter;
 
 /** A viewer that stands anywhere and looks anywhere. <em>Constant.</em> Up is +y, or -z if the view is along y. */
 public final class PerspectiveCamera implements Camera {
@@ -87,11 +85,19 @@ public final class PerspectiveCamera implements Camera {
         }
     }
 
-    @Override
-    public void writePov(SceneWriter os) throws IOException {
-        double unit = 1 / forward.norm();
-        Pov.camera(os, eye, Vector.scale(forward, unit), Vector.scale(right, 2 * halfWidth * unit),
-            Vector.scale(up, 2 * halfHeight * unit));
+    /** {@return a new vector of unit length, from the eye to the middle of the picture} */
+    public Vector forward() {
+        return Vector.scale(forward, 1 / forward.norm());
+    }
+
+    /** {@return a new vector from the left edge of the picture to the right one, where it is 1 from the eye} */
+    public Vector right() {
+        return Vector.scale(right, 2 * halfWidth * (1 / forward.norm()));
+    }
+
+    /** {@return a new vector from the lower edge of the picture to the upper one, where it is 1 from the eye} */
+    public Vector up() {
+        return Vector.scale(up, 2 * halfHeight * (1 / forward.norm()));
     }
 
     @Override

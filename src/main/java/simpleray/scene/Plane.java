@@ -72,16 +72,6 @@ public final class Plane extends Object {
         return null;
     }
 
-    /** {@inheritDoc} Inside is the same side there as here. */
-    @Override
-    public void writePov(SceneWriter os) throws IOException {
-        Vector unit = normal.normalised();
-        os.writeString("plane { ");
-        Pov.vector(os, unit.x, unit.y, unit.z);
-        os.writeString(", ");
-        os.writeDouble(constant / normal.norm());
-    }
-
     @Override
     public void print(SceneWriter os) throws IOException {
         os.writeString("Plane with normal: ");

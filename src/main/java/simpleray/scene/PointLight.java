@@ -1,7 +1,6 @@
 package simpleray.scene;
 
 import java.io.IOException;
-import simpleray.math.Colour;
 import simpleray.math.Point;
 import simpleray.math.Vector;
 import simpleray.text.SceneReader;
@@ -35,14 +34,6 @@ public final class PointLight extends Light {
     @Override
     public Point origin() {
         return origin;
-    }
-
-    @Override
-    public void writePov(SceneWriter os, Colour colour) throws IOException {
-        os.writeString("light_source { ");
-        Pov.vector(os, origin.x, origin.y, origin.z);
-        os.writeString(", ");
-        Pov.colour(os, colour);
     }
 
     @Override

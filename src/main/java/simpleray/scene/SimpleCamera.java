@@ -1,10 +1,7 @@
 package simpleray.scene;
 
-import java.io.IOException;
 import simpleray.math.Point;
 import simpleray.math.Ray;
-import simpleray.math.Vector;
-import simpleray.text.SceneWriter;
 
 /**
  * The viewer: the centre of projection lies on the z axis, and a viewport window on the XY plane (thesis, chapter 5).
@@ -133,14 +130,8 @@ public final class SimpleCamera implements Camera {
         ray.direction.normalise();
     }
 
-    @Override
-    public void writePov(SceneWriter os) throws IOException {
-        Pov.camera(os, new Point(0, 0, cop), new Vector((xmin + xmax) / 2, (ymin + ymax) / 2, -cop),
-            new Vector(xmax - xmin, 0, 0), new Vector(0, ymax - ymin, 0));
-    }
-
     /** {@return the viewport window} */
-    SceneSettings.Window window() {
+    public SceneSettings.Window window() {
         return new SceneSettings.Window(xmin, xmax, ymin, ymax);
     }
 

@@ -110,14 +110,6 @@ public final class Sphere extends Object {
     }
 
     @Override
-    public void writePov(SceneWriter os) throws IOException {
-        os.writeString("sphere { ");
-        Pov.vector(os, centre.x, centre.y, centre.z);
-        os.writeString(", ");
-        os.writeDouble(radius);
-    }
-
-    @Override
     public boolean isSolid() {
         return true;
     }

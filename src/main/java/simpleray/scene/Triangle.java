@@ -161,17 +161,6 @@ public final class Triangle extends Object {
         return Bounds.of(a, b, c);
     }
 
-    /** {@inheritDoc} POV-Ray's normal of a triangle points the other way, and so its vertices run the other way round. */
-    @Override
-    public void writePov(SceneWriter os) throws IOException {
-        os.writeString("triangle { ");
-        Pov.vector(os, a.x, a.y, a.z);
-        os.writeString(", ");
-        Pov.vector(os, c.x, c.y, c.z);
-        os.writeString(", ");
-        Pov.vector(os, b.x, b.y, b.z);
-    }
-
     @Override
     public void print(SceneWriter os) throws IOException {
         os.writeString("Triangle with vertices: ");

@@ -1,4 +1,4 @@
-package simpleray.scene;
+package simpleray.pov;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static simpleray.scene.Scenes.grey;
@@ -12,6 +12,14 @@ import simpleray.math.Bounds;
 import simpleray.math.Colour;
 import simpleray.math.Point;
 import simpleray.math.Vector;
+import simpleray.scene.DirectionalLight;
+import simpleray.scene.Material;
+import simpleray.scene.Plane;
+import simpleray.scene.Scene;
+import simpleray.scene.Scenes;
+import simpleray.scene.SimpleCamera;
+import simpleray.scene.Sphere;
+import simpleray.scene.Triangle;
 
 /** What one is told that POV-Ray shows otherwise. */
 class PovWarningsTest {
@@ -23,7 +31,7 @@ class PovWarningsTest {
     private static final String LIGHT_INSIDE = "a light inside: in POV-Ray glass dims only light from outside";
 
     private static List<String> warnings(Scene scene, int depth, PovChannel shown) {
-        return new PovScene(scene, new SimpleCamera(), depth, shown).warnings();
+        return new PovExporter(scene, new SimpleCamera(), depth, shown).warnings();
     }
 
     private static Material glass(Colour diffuse, Colour transmission) {

@@ -1,4 +1,4 @@
-package simpleray.scene;
+package simpleray.pov;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static simpleray.scene.Scenes.grey;
@@ -10,6 +10,11 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import simpleray.math.Colour;
 import simpleray.math.Point;
+import simpleray.scene.Material;
+import simpleray.scene.Scene;
+import simpleray.scene.Scenes;
+import simpleray.scene.SimpleCamera;
+import simpleray.scene.Sphere;
 
 /** Materials as POV-Ray has them: the numbers follow from its rules, by which a clear pigment scatters half. */
 class PovMaterialTest {
@@ -18,7 +23,7 @@ class PovMaterialTest {
     private static String text(Material material, int depth) {
         Scene scene = Scenes.of(new Sphere(material, new Point(), 1));
         scene.ambient = grey(1);
-        return written(new PovScene(scene, new SimpleCamera(), depth, PovChannel.ALL)::write);
+        return written(new PovExporter(scene, new SimpleCamera(), depth, PovChannel.ALL)::write);
     }
 
     private static Material glass(Colour ambient, Colour diffuse, Colour transmission, double index) {

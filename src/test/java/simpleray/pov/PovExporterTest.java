@@ -1,4 +1,4 @@
-package simpleray.scene;
+package simpleray.pov;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
@@ -14,23 +14,34 @@ import simpleray.math.Colour;
 import simpleray.math.Point;
 import simpleray.math.Ray;
 import simpleray.math.Vector;
+import simpleray.scene.DirectionalLight;
+import simpleray.scene.Material;
+import simpleray.scene.Object;
+import simpleray.scene.PerspectiveCamera;
+import simpleray.scene.Plane;
+import simpleray.scene.PointLight;
+import simpleray.scene.Scene;
+import simpleray.scene.Scenes;
+import simpleray.scene.SimpleCamera;
+import simpleray.scene.Sphere;
+import simpleray.scene.Triangle;
 import simpleray.text.SceneReader;
 import simpleray.text.SceneWriter;
 
 /** What is written for POV-Ray, word for word. */
-class PovSceneTest {
+class PovExporterTest {
     private static final int DEPTH = 5;
 
     private static String text(Scene scene, PovChannel shown) throws IOException {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         SceneWriter os = new SceneWriter(bytes);
-        new PovScene(scene, new SimpleCamera(400, 200), DEPTH, shown).write(os);
+        new PovExporter(scene, new SimpleCamera(400, 200), DEPTH, shown).write(os);
         os.flush();
         return bytes.toString(StandardCharsets.UTF_8);
     }
 
-    private static PovScene pov(Scene scene, PovChannel shown) {
-        return new PovScene(scene, new SimpleCamera(), DEPTH, shown);
+    private static PovExporter pov(Scene scene, PovChannel shown) {
+        return new PovExporter(scene, new SimpleCamera(), DEPTH, shown);
     }
 
     private static Material glass(double ks, double kt, double index) {
@@ -106,7 +117,7 @@ class PovSceneTest {
     void perspectiveCameraIsWrittenAsItLooks() throws IOException {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         SceneWriter os = new SceneWriter(bytes);
-        new PerspectiveCamera(new PerspectiveCamera.Pose(1, 2, 3, 1, 2, -3, 90), 2, 1).writePov(os);
+        PovWriter.camera(os, new PerspectiveCamera(new PerspectiveCamera.Pose(1, 2, 3, 1, 2, -3, 90), 2, 1));
         os.flush();
         String rounded = bytes.toString(StandardCharsets.UTF_8).replaceAll("1\\.9{9}\\d*", "2.0").replaceAll("3\\.9{9}\\d*", "4.0");
         assertThat(rounded).matches(
@@ -133,7 +144,7 @@ class PovSceneTest {
     @Test
     void depthsBeyondPovraysAreToldOf() {
         Scene scene = Scenes.of(new Sphere(material(grey(0), grey(0), grey(1), 900), new Point(), 1));
-        assertThat(new PovScene(scene, new SimpleCamera(), 300, PovChannel.R).warnings())
+        assertThat(new PovExporter(scene, new SimpleCamera(), 300, PovChannel.R).warnings())
             .containsExactly("POV-Ray follows 255 reflections at most, and here are 300");
     }
 
@@ -159,7 +170,7 @@ class PovSceneTest {
     }
 
     /** Something that POV-Ray has no form of. */
-    private static class Blob extends Object {
+    private static final class Blob extends Object {
         private Blob(Material material) {
             super(material);
         }
@@ -199,26 +210,19 @@ class PovSceneTest {
             .hasMessage("object 2: no form for POV-Ray is known of a Blob");
     }
 
-    /** Half the diagonal of a square. */
-    private static final class Pane extends Blob {
-        private Pane(Material material) {
-            super(material);
-        }
-
-        @Override
-        public void writePov(SceneWriter os) throws IOException {
-            os.writeString("triangle { <0,0,0>, <1,0,0>, <0,1,0>");
-        }
+    /** {@return half a square} */
+    private static Triangle pane(Material material) {
+        return new Triangle(material, new Point(), new Point(0, 1, 0), new Point(1, 0, 0));
     }
 
     @Test
     void panesOfOneGlassAreOneBody() throws IOException {
-        Scene scene = Scenes.of(new Pane(glass(0, 1, 1.5)), new Pane(glass(0, 1, 1.5)), new Pane(glass(0, 1, 1)));
+        Scene scene = Scenes.of(pane(glass(0, 1, 1.5)), pane(glass(0, 1, 1.5)), pane(glass(0, 1, 1)));
         assertThat(text(scene, PovChannel.R)).endsWith("""
-            triangle { <0,0,0>, <1,0,0>, <0,1,0> material { M2 } no_shadow }
+            triangle { <0.0,0.0,0.0>, <1.0,0.0,0.0>, <0.0,1.0,0.0> material { M2 } no_shadow }
             union {
-            triangle { <0,0,0>, <1,0,0>, <0,1,0> }
-            triangle { <0,0,0>, <1,0,0>, <0,1,0> }
+            triangle { <0.0,0.0,0.0>, <1.0,0.0,0.0>, <0.0,1.0,0.0> }
+            triangle { <0.0,0.0,0.0>, <1.0,0.0,0.0>, <0.0,1.0,0.0> }
             material { M1 } no_shadow }
             """);
     }

@@ -1,10 +1,11 @@
-package simpleray.scene;
+package simpleray.pov;
 
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import simpleray.math.Colour;
+import simpleray.scene.Material;
 import simpleray.text.SceneWriter;
 
 /**
@@ -94,10 +95,9 @@ final class PovMaterial {
                 clear(os, new Colour(share(transmission.r, internal.r), share(transmission.g, internal.g),
                     share(transmission.b, internal.b)));
             }
-            Pov.value(os, " } interior { ior", Math.max(index, LEAST_INDEX));
+            PovWriter.value(os, " } interior { ior ", Math.max(index, LEAST_INDEX));
             if (dimmed) {
-                os.writeString(" fade_distance 1e-6 fade_power 2 fade_color ");
-                Pov.colour(os, internal);
+                PovWriter.colour(os, " fade_distance 1e-6 fade_power 2 fade_color ", internal);
             }
             os.writeString(" }");
         });
@@ -106,9 +106,8 @@ final class PovMaterial {
     /** {@return the texture of a thing that nobody sees, and whose shadow is that of an object that is clear} */
     String shade(boolean solid) {
         return text(os -> {
-            os.writeString("texture { pigment { ");
-            os.writeString(solid ? "rgbt <0,0,0,1> } } interior_texture { pigment { " : "");
-            Pov.colour(os, transmission);
+            PovWriter.colour(os, solid ? "texture { pigment { rgbt <0,0,0,1> } } interior_texture { pigment { " : "texture { pigment { ",
+                transmission);
             os.writeString(" filter 1 } }");
         });
     }
@@ -131,24 +130,22 @@ final class PovMaterial {
         hue.r = divisor(hue.r, ambient.r);
         hue.g = divisor(hue.g, ambient.g);
         hue.b = divisor(hue.b, ambient.b);
-        os.writeString("pigment { ");
-        Pov.colour(os, hue);
+        PovWriter.colour(os, "pigment { ", hue);
         if (filter > 0) {
-            Pov.value(os, " filter", filter);
+            PovWriter.value(os, " filter ", filter);
         }
         os.writeString(" }");
     }
 
     private void finish(SceneWriter os, Colour hue, double left, double scattered) throws IOException {
-        os.writeString(" finish { ambient ");
-        Pov.colour(os, new Colour(share(ambient.r, hue.r * left), share(ambient.g, hue.g * left), share(ambient.b, hue.b * left)));
-        Pov.value(os, " diffuse", scattered);
+        PovWriter.colour(os, " finish { ambient ",
+            new Colour(share(ambient.r, hue.r * left), share(ambient.g, hue.g * left), share(ambient.b, hue.b * left)));
+        PovWriter.value(os, " diffuse ", scattered);
         if (!specular.isBlack()) {
-            Pov.value(os, " specular", mean(specular));
-            Pov.value(os, " roughness", Math.min(1 / shininess, ROUGHEST));
+            PovWriter.value(os, " specular ", mean(specular));
+            PovWriter.value(os, " roughness ", Math.min(1 / shininess, ROUGHEST));
             if (follows) {
-                os.writeString(" reflection { ");
-                Pov.colour(os, specular);
+                PovWriter.colour(os, " reflection { ", specular);
                 os.writeString(" }");
             }
         }

@@ -1,4 +1,4 @@
-package simpleray.scene;
+package simpleray.pov;
 
 import java.io.IOException;
 import java.util.ArrayList;
@@ -10,16 +10,20 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import simpleray.math.Bounds;
 import simpleray.math.Colour;
+import simpleray.scene.Camera;
+import simpleray.scene.Object;
+import simpleray.scene.PointLight;
+import simpleray.scene.Scene;
 import simpleray.text.SceneWriter;
 
 /**
- * A scene as POV-Ray 3.7 reads it, for the finished picture. <em>Constant</em>; the scene is referenced, and must not change.
+ * Writes a scene for POV-Ray 3.7, as the final stage renders it. <em>Constant</em>; the scene is referenced, and must not change.
  *
  * <p>Light passes through our glass and is dimmed once for each object, in POV-Ray once for each surface. So what is seen of an object
  * that dims light casts no shadow there, and a twin that nobody sees casts it. Open things of one glass, such as triangles, are
  * written as one body: for POV-Ray a ray enters at its first hit and leaves at the next.
  */
-public final class PovScene {
+public final class PovExporter {
     /** The most that POV-Ray lets one ask for: a ray from the eye counts too. */
     private static final int MOST_DEPTH = 255;
     /** How many objects a warning names. */
@@ -40,7 +44,7 @@ public final class PovScene {
      * @param depth the most reflections of a ray from the eye
      * @param shown which colour channels are shown
      */
-    public PovScene(Scene scene, Camera camera, int depth, PovChannel shown) {
+    public PovExporter(Scene scene, Camera camera, int depth, PovChannel shown) {
         this.scene = scene;
         this.camera = camera;
         this.shown = shown;
@@ -71,12 +75,11 @@ public final class PovScene {
             + "// povray +IFILE.pov +OFILE.png +W" + width + " +H" + height + " -A -D +FN8 File_Gamma=1.0\n#version 3.7;\n"
             + "global_settings { assumed_gamma 1 max_trace_level " + (depth + 1) + " adc_bailout 0 ambient_light rgb 1 }\n");
         Colour background = scene.settings.background == null ? new Colour() : scene.settings.background;
-        os.writeString("background { ");
-        Pov.colour(os, shown.of(background));
+        PovWriter.colour(os, "background { ", shown.of(background));
         os.writeString(" }\n");
-        camera.writePov(os);
+        PovWriter.camera(os, camera);
         for (int i = 0; i < scene.getNumberLights(); i++) {
-            write(os, "light", i, scene.getLight(i));
+            PovWriter.light(os, scene.getLight(i), i, shown.of(scene.getLight(i).intensity));
         }
         Map<String, String> names = new HashMap<>();
         Map<String, List<Integer>> panes = new LinkedHashMap<>();
@@ -86,20 +89,20 @@ public final class PovScene {
             String look = declared(os, names, material.look());
             if (material.dims()) {                            // the twin first: of things around the eye, the last counts
                 String shade = declared(os, names, material.shade(object.isSolid()));
-                write(os, "object", i, object);
+                PovWriter.shape(os, object, i);
                 os.writeString(" material { " + shade + " } no_image no_reflection }\n");
             }
             if (isPane(i)) {
                 panes.computeIfAbsent(look, k -> new ArrayList<>()).add(i);
                 continue;
             }
-            write(os, "object", i, object);
+            PovWriter.shape(os, object, i);
             os.writeString(" material { " + look + (material.transmits ? " } no_shadow }\n" : " } }\n"));
         }
         for (Map.Entry<String, List<Integer>> body : panes.entrySet()) {
             os.writeString("union {\n");
             for (int i : body.getValue()) {
-                write(os, "object", i, scene.getObject(i));
+                PovWriter.shape(os, scene.getObject(i), i);
                 os.writeString(" }\n");
             }
             os.writeString("material { " + body.getKey() + " } no_shadow }\n");
@@ -110,19 +113,6 @@ public final class PovScene {
     private boolean isPane(int i) {
         Object object = scene.getObject(i);
         return materials.get(i).bends() && !object.isSolid() && object.bounds() != null;
-    }
-
-    private void write(SceneWriter os, String what, int i, SceneElement thing) throws IOException {
-        try {
-            if (thing instanceof Light light) {
-                light.writePov(os, shown.of(light.intensity));
-                os.writeString(" }\n");
-            } else {
-                ((Object) thing).writePov(os);
-            }
-        } catch (UnsupportedOperationException e) {
-            throw new UnsupportedOperationException(what + ' ' + (i + 1) + ": " + e.getMessage(), e);
-        }
     }
 
     /** {@return the name of a material, which is declared when it first comes} */

@@ -1,4 +1,4 @@
-package simpleray.scene;
+package simpleray.pov;
 
 import java.util.Locale;
 import java.util.function.ToDoubleFunction;

@@ -1,0 +1,150 @@
+package simpleray.pov;
+
+import java.io.IOException;
+import simpleray.math.Colour;
+import simpleray.math.Point;
+import simpleray.math.Vector;
+import simpleray.scene.Camera;
+import simpleray.scene.Cylinder;
+import simpleray.scene.DirectionalLight;
+import simpleray.scene.Light;
+import simpleray.scene.Mesh;
+import simpleray.scene.Object;
+import simpleray.scene.PerspectiveCamera;
+import simpleray.scene.Plane;
+import simpleray.scene.PointLight;
+import simpleray.scene.SceneSettings;
+import simpleray.scene.SimpleCamera;
+import simpleray.scene.Sphere;
+import simpleray.scene.Triangle;
+import simpleray.text.SceneWriter;
+
+/**
+ * Writes cameras, lights and shapes in POV-Ray's scene language. Vectors are written as they are, so that POV-Ray has our right-handed
+ * axes. A kind that is not listed here is refused.
+ */
+final class PovWriter {
+    /** The distance of a directional light in POV-Ray, which knows no infinity. */
+    private static final double DISTANCE = 1e6;
+
+    private PovWriter() {
+    }
+
+    /** Writes a number after some text. */
+    static void value(SceneWriter os, String before, double value) throws IOException {
+        os.writeString(before);
+        os.writeDouble(value);
+    }
+
+    /** Writes a colour after some text. */
+    static void colour(SceneWriter os, String before, Colour c) throws IOException {
+        triple(os, before + "rgb <", c.r, c.g, c.b);
+    }
+
+    private static void point(SceneWriter os, String before, Point p) throws IOException {
+        triple(os, before + '<', p.x, p.y, p.z);
+    }
+
+    private static void vector(SceneWriter os, String before, Vector v) throws IOException {
+        triple(os, before + '<', v.x, v.y, v.z);
+    }
+
+    private static void triple(SceneWriter os, String before, double x, double y, double z) throws IOException {
+        value(os, before, x + 0.0);                           // -0.0 becomes 0.0
+        value(os, ",", y + 0.0);
+        value(os, ",", z + 0.0);
+        os.writeChar('>');
+    }
+
+    /** Writes a camera. */
+    static void camera(SceneWriter os, Camera camera) throws IOException {
+        if (camera instanceof SimpleCamera simple) {
+            SceneSettings.Window w = simple.window();
+            Vector direction = new Vector((w.xmin() + w.xmax()) / 2, (w.ymin() + w.ymax()) / 2, -camera.eye().z);
+            camera(os, camera.eye(), direction, new Vector(w.xmax() - w.xmin(), 0, 0), new Vector(0, w.ymax() - w.ymin(), 0));
+        } else if (camera instanceof PerspectiveCamera perspective) {
+            camera(os, camera.eye(), perspective.forward(), perspective.right(), perspective.up());
+        } else {
+            throw unknown("", camera);
+        }
+    }
+
+    private static void camera(SceneWriter os, Point eye, Vector direction, Vector right, Vector up) throws IOException {
+        point(os, "camera { perspective location ", eye);
+        vector(os, " direction ", direction);
+        vector(os, " right ", right);
+        vector(os, " up ", up);
+        os.writeString(" }\n");
+    }
+
+    /**
+     * Writes a light.
+     *
+     * @param light the light
+     * @param place its place in the scene, from 0, for the message if there is no such light in POV-Ray
+     * @param colour the colour to write in place of its own
+     */
+    static void light(SceneWriter os, Light light, int place, Colour colour) throws IOException {
+        if (light instanceof PointLight lamp) {
+            point(os, "light_source { ", lamp.origin);
+            colour(os, ", ", colour);
+        } else if (light instanceof DirectionalLight sun) {
+            vector(os, "light_source { ", Vector.scale(sun.direction.normalised(), -DISTANCE));
+            colour(os, ", ", colour);
+            os.writeString(" parallel point_at <0,0,0>");
+        } else {
+            throw unknown("light " + (place + 1) + ": ", light);
+        }
+        os.writeString(" }\n");
+    }
+
+    /**
+     * Writes a shape without its material and without the closing brace. The normals of POV-Ray's triangles point the other way, and so
+     * their vertices run the other way round.
+     *
+     * @param object the shape
+     * @param place its place in the scene, from 0, for the message if there is no such shape in POV-Ray
+     */
+    static void shape(SceneWriter os, Object object, int place) throws IOException {
+        if (object instanceof Sphere sphere) {
+            point(os, "sphere { ", sphere.centre);
+            value(os, ", ", sphere.radius);
+        } else if (object instanceof Plane plane) {           // inside is the same side there as here
+            vector(os, "plane { ", plane.normal.normalised());
+            value(os, ", ", plane.constant / plane.normal.norm());
+        } else if (object instanceof Triangle triangle) {
+            point(os, "triangle { ", triangle.a);
+            point(os, ", ", triangle.c);
+            point(os, ", ", triangle.b);
+        } else if (object instanceof Cylinder cylinder) {
+            point(os, "cylinder { ", cylinder.start);
+            point(os, ", ", cylinder.end);
+            value(os, ", ", cylinder.radius);
+        } else if (object instanceof Mesh mesh) {
+            mesh(os, mesh);
+        } else {
+            throw unknown("object " + (place + 1) + ": ", object);
+        }
+    }
+
+    private static void mesh(SceneWriter os, Mesh mesh) throws IOException {
+        os.writeString("mesh {\n");
+        for (int i = 0; i < mesh.size(); i++) {
+            boolean smooth = mesh.vertexNormal(i, 0) != null;
+            String before = smooth ? "smooth_triangle { " : "triangle { ";
+            for (int corner : new int[] {0, 2, 1}) {
+                point(os, before, mesh.vertex(i, corner));
+                if (smooth) {
+                    vector(os, ", ", mesh.vertexNormal(i, corner));
+                }
+                before = ", ";
+            }
+            os.writeString(" }\n");
+        }
+        os.writeString("inside_vector <0.1, 0.2, 1>");
+    }
+
+    private static UnsupportedOperationException unknown(String where, java.lang.Object thing) {
+        return new UnsupportedOperationException(where + "no form for POV-Ray is known of a " + thing.getClass().getSimpleName());
+    }
+}
