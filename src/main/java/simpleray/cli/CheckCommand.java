@@ -10,7 +10,7 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.ParentCommand;
-import simpleray.render.SceneWarnings;
+import simpleray.render.SceneLint;
 import simpleray.scene.SceneFile;
 import simpleray.text.PictureFormatException;
 import simpleray.text.Problem;
@@ -44,7 +44,7 @@ final class CheckCommand implements Callable<Integer> {
         for (String scene : scenes) {
             try {
                 SceneFile file = SceneArgument.read(scene, main.in(), main.err(), outside.reach());
-                List<Problem> more = SceneWarnings.of(file, SceneArgument.told(scene));
+                List<Problem> more = SceneLint.all(file, SceneArgument.told(scene));
                 more.forEach(main.err()::println);
                 int warnings = file.warnings().size() + more.size();
                 TextOutput.say(main, scene + ": good: " + count(file.scene().getNumberObjects(), "object") + ", "
@@ -68,7 +68,7 @@ final class CheckCommand implements Callable<Integer> {
             try {
                 SceneFile file = SceneArgument.open(scene, main.in(), outside.reach());
                 problems.addAll(file.warnings());
-                problems.addAll(SceneWarnings.of(file, name));
+                problems.addAll(SceneLint.all(file, name));
             } catch (SceneFormatException e) {
                 problems.addAll(e.problems());
                 worst = Math.max(worst, ExitCode.BAD_SCENE);

@@ -5,7 +5,7 @@ import java.nio.file.FileSystemException;
 import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import simpleray.render.SceneWarnings;
+import simpleray.render.SceneLint;
 import simpleray.scene.SceneFile;
 import simpleray.text.Problem;
 import simpleray.text.SceneFormatException;
@@ -27,7 +27,7 @@ record Findings(String text, List<Problem> places) {
 
     /** {@return the warnings about a scene, and what is odd about its picture} Follows rays: not for the event thread. */
     static Findings ofWhole(SceneFile scene, String name) {
-        return of(Stream.concat(scene.warnings().stream(), SceneWarnings.striking(scene, name).stream()).toList());
+        return of(Stream.concat(scene.warnings().stream(), SceneLint.striking(scene, name).stream()).toList());
     }
 
     /** {@return why a scene could not be read} */

@@ -17,7 +17,7 @@ import simpleray.scene.SceneFile;
 import simpleray.text.Problem;
 
 /** What is odd about a picture is told with the line of what makes it so. */
-class SceneWarningsTest {
+class SceneLintTest {
     private static final String MATT = "  0.5 0.5 0.5  0.4 0.4 0.4  0 0 0  1\n";
     private static final String WALL = "1  0 0 1  -3" + MATT;
     private static final String BALL = "0  0 0 -1  0.5" + MATT;
@@ -30,7 +30,7 @@ class SceneWarningsTest {
 
     private static List<String> warnings(String text) throws IOException {
         SceneFile file = SceneFile.read(new ByteArrayInputStream(text.getBytes(StandardCharsets.UTF_8)));
-        return SceneWarnings.of(file, "a").stream().map(Problem::toString).toList();
+        return SceneLint.all(file, "a").stream().map(Problem::toString).toList();
     }
 
     @Test
@@ -42,7 +42,7 @@ class SceneWarningsTest {
     void theThesissSecondLightReachesNothing() throws IOException {
         SceneFile thesis = SceneFile.read(Project.scene("thesis"));
 
-        assertThat(SceneWarnings.of(thesis, "thesis.scene")).extracting(Problem::toString)
+        assertThat(SceneLint.all(thesis, "thesis.scene")).extracting(Problem::toString)
             .containsExactly("thesis.scene:55:1: warning: light 2 reaches nothing of what 18496 rays saw");
     }
 
@@ -126,9 +126,9 @@ class SceneWarningsTest {
         SceneFile much = SceneFile.read(new ByteArrayInputStream(spot.replace("2 2 2", "3 3 3").replace("0.05", "1")
             .getBytes(StandardCharsets.UTF_8)));
 
-        assertThat(SceneWarnings.of(little, "a")).singleElement().extracting(Problem::line).isEqualTo(3);
-        assertThat(SceneWarnings.striking(little, "a")).isEmpty();
-        assertThat(SceneWarnings.striking(much, "a")).singleElement().extracting(Problem::line).isEqualTo(3);
+        assertThat(SceneLint.all(little, "a")).singleElement().extracting(Problem::line).isEqualTo(3);
+        assertThat(SceneLint.striking(little, "a")).isEmpty();
+        assertThat(SceneLint.striking(much, "a")).singleElement().extracting(Problem::line).isEqualTo(3);
     }
 
     @Test

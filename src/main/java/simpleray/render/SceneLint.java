@@ -1,0 +1,218 @@
+package simpleray.render;
+
+import java.util.ArrayList;
+import java.util.BitSet;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Locale;
+import simpleray.math.Bounds;
+import simpleray.math.Colour;
+import simpleray.math.Point;
+import simpleray.math.Ray;
+import simpleray.math.Vector;
+import simpleray.scene.Camera;
+import simpleray.scene.Integrator;
+import simpleray.scene.Interaction;
+import simpleray.scene.Intersector;
+import simpleray.scene.Object;
+import simpleray.scene.Plane;
+import simpleray.scene.RayStats;
+import simpleray.scene.Recorder;
+import simpleray.scene.Scene;
+import simpleray.scene.SceneFile;
+import simpleray.scene.Terms;
+import simpleray.scene.VisibilityTester;
+import simpleray.scene.WhittedIntegrator;
+import simpleray.text.Problem;
+import simpleray.trace.CompiledScene;
+
+/**
+ * Finds what is odd about a scene's picture: objects and lights that make no difference to it, an eye inside an object, colours that are
+ * clipped, planes that may lie elsewhere than was meant. It traces some thousand rays from the eye, the same each time, and what it says is
+ * true of these. <em>Mutable</em>, for one thread.
+ */
+public final class SceneLint {
+    /** Rays along each side of the picture: the first number, and the second too if those did not find everything. */
+    private static final int[] SIDES = {64, 120};
+    private static final int MAX_REFLECTIONS = 4;
+    /** The level of a brighter component would be above 255. */
+    private static final double WHITE = 255.5 / 255;
+    /** The share of rays with clipped colours from which on they are striking. */
+    private static final double STRIKING = 0.01;
+    /** It takes too long to compile larger scenes for a user who did not ask. */
+    private static final int MAX_OBJECTS = 10_000;
+    /** A normal whose length differs from 1 by no more is a unit vector written with four decimals. */
+    private static final double ROUNDED = 1e-4;
+    /** A normal whose length differs from 1 by no more was perhaps meant to be a unit vector. */
+    private static final double NEARLY = 0.05;
+    /** How many unseen objects get a warning each. */
+    private static final int MAX_UNSEEN = 10;
+    /** An eye counts as outside an object whose surface a ray from there crosses more often. */
+    private static final int MAX_CROSSINGS = 1000;
+    /** Two directions along which no scene is built. */
+    private static final List<Vector> ODD = List.of(new Vector(0.5391, 0.3175, 0.7801), new Vector(-0.2713, -0.8527, 0.4463));
+
+    private final SceneFile file;
+    private final Scene scene;
+    private final String name;
+    private final Camera camera;
+    private final List<Problem> problems = new ArrayList<>();
+    private final Seen seen = new Seen();
+    private int rays;
+    private int clipped;
+    private double brightest = WHITE;
+    private int brightestObject;
+    private String brightestPixel;
+
+    private SceneLint(SceneFile file, String name) {
+        this.file = file;
+        this.name = name;
+        scene = file.scene();
+        camera = scene.settings.newCamera();
+    }
+
+    /** Notes which objects rays hit, at first or after reflections, and which lights reach something there. */
+    private static final class Seen implements Recorder {
+        final BitSet objects = new BitSet();
+        final BitSet lights = new BitSet();
+        /** The object that the latest ray from the eye hit; below 0 if none. */
+        int first;
+
+        @Override
+        public void hit(Ray ray, Interaction at) {
+            objects.set(at.place);
+            first = first < 0 ? at.place : first;
+        }
+
+        @Override
+        public void light(int number, VisibilityTester visibility, Colour arriving, Vector halfway, double cosine, Colour diffuse,
+                Colour specular) {
+            if (!arriving.isBlack()) {
+                lights.set(number);
+            }
+        }
+    }
+
+    /**
+     * Finds all that is odd about a scene's picture, beside what {@link SceneFile#warnings} says of its file.
+     *
+     * @param file the scene, which must not change meanwhile; its settings say which picture
+     * @param name the file's name in messages
+     * @return warnings, in the order of the file
+     */
+    public static List<Problem> all(SceneFile file, String name) {
+        return file.scene().getNumberObjects() == 0 ? List.of() : new SceneLint(file, name).find(0);
+    }
+
+    /**
+     * Finds what is odd about a scene's picture, for a user who did not ask: as {@link #all}, but bright colours only if they are more than
+     * highlights, and nothing about large scenes.
+     *
+     * @param file the scene, which must not change meanwhile; its settings say which picture
+     * @param name the file's name in messages
+     * @return warnings, in the order of the file
+     */
+    public static List<Problem> striking(SceneFile file, String name) {
+        int objects = file.scene().getNumberObjects();
+        return objects == 0 || objects > MAX_OBJECTS ? List.of() : new SceneLint(file, name).find(STRIKING);
+    }
+
+    private List<Problem> find(double tolerated) {
+        trace();
+        for (int i = seen.lights.nextClearBit(0); i < scene.getNumberLights(); i = seen.lights.nextClearBit(i + 1)) {
+            warn(file.lineOfLight(i), "light " + (i + 1) + (scene.getLight(i).intensity.isBlack() ? " is black"
+                : " reaches nothing of what " + rays + " rays saw"));
+        }
+        Point eye = camera.eye();
+        for (int i = 0; i < scene.getNumberObjects(); i++) {
+            if (isAround(scene.getObject(i), eye)) {
+                warn(file.lineOfObject(i), "object " + (i + 1) + " is around the eye, which sees it from inside");
+            }
+            if (scene.getObject(i) instanceof Plane plane && isNearlyUnit(plane.normal.norm())) {
+                warn(file.lineOfObject(i), String.format(Locale.ROOT,
+                    "object %d's normal has length %.4f, nearly 1: the plane lies constant / %2$.4f along it", i + 1, plane.normal.norm()));
+            }
+        }
+        warnOfUnseen();
+        if (clipped > tolerated * rays) {
+            warn(file.lineOfObject(brightestObject), "the picture is clipped where it is brighter than 1: " + clipped + " of " + rays
+                + " rays saw such colours, the brightest " + brightestPixel);
+        }
+        problems.sort(Comparator.comparingInt(Problem::line));
+        return problems;
+    }
+
+    private void warnOfUnseen() {
+        int unseen = scene.getNumberObjects() - seen.objects.cardinality();
+        String what = " not seen by any of " + rays + " rays";
+        int i = seen.objects.nextClearBit(0);
+        if (unseen > MAX_UNSEEN) {
+            warn(file.lineOfObject(i), "object " + (i + 1) + " and " + (unseen - 1) + " others were" + what);
+            return;
+        }
+        for (; i < scene.getNumberObjects(); i = seen.objects.nextClearBit(i + 1)) {
+            warn(file.lineOfObject(i), "object " + (i + 1) + " was" + what);
+        }
+    }
+
+    private void warn(int line, String message) {
+        problems.add(new Problem(name, Math.max(1, line), 1, false, message, null));
+    }
+
+    private void trace() {
+        RayStats uncounted = new RayStats();
+        Intersector intersector = new CompiledScene(scene, camera.eye(), 1, (long) SIDES[0] * SIDES[0]).intersector(uncounted);
+        Integrator integrator = new WhittedIntegrator(scene, intersector, Terms.ALL, uncounted, seen);
+        int depth = Math.min(MAX_REFLECTIONS, scene.settings.depth == null ? RenderSettings.DEFAULT_DEPTH : scene.settings.depth);
+        Colour colour = new Colour();
+        for (int side : SIDES) {
+            for (int j = 0; j < side; j++) {
+                for (int i = 0; i < side; i++) {
+                    double px = (i + 0.5) / side * camera.width();
+                    double py = (j + 0.5) / side * camera.height();
+                    seen.first = -1;
+                    if (integrator.trace(camera.through(px, py), colour, depth)) {
+                        noteBrightness(colour, (int) px, (int) py);
+                    }
+                }
+            }
+            rays += side * side;
+            if (seen.objects.cardinality() == scene.getNumberObjects() && seen.lights.cardinality() == scene.getNumberLights()) {
+                return;
+            }
+        }
+    }
+
+    private void noteBrightness(Colour colour, int x, int y) {
+        double brightness = Math.max(colour.r, Math.max(colour.g, colour.b));
+        clipped += brightness > WHITE ? 1 : 0;
+        if (brightness > brightest) {
+            brightest = brightness;
+            brightestObject = seen.first;
+            brightestPixel = String.format(Locale.ROOT, "%.2f %.2f %.2f on object %d (column %d, row %d)", colour.r, colour.g, colour.b,
+                brightestObject + 1, x + 1, y + 1);
+        }
+    }
+
+    private static boolean isNearlyUnit(double length) {
+        double off = Math.abs(length - 1);
+        return off > ROUNDED && off <= NEARLY;
+    }
+
+    /** {@return whether a point is inside an object}: rays from there cross its surface an odd number of times. */
+    private static boolean isAround(Object object, Point eye) {
+        Bounds box = object.bounds();
+        return box != null && box.contains(eye) && object.isSolid()
+            && ODD.stream().allMatch(direction -> crossings(object, eye, direction) % 2 != 0);
+    }
+
+    private static int crossings(Object object, Point from, Vector direction) {
+        Ray ray = new Ray(new Point(from), direction.normalised());
+        int crossings = 0;
+        for (double t = object.intersect(ray); t >= 0 && crossings < MAX_CROSSINGS; t = object.intersect(ray)) {
+            crossings++;
+            ray.origin.copy(ray.getPointAt(t));
+        }
+        return crossings;
+    }
+}
