@@ -47,4 +47,9 @@ record SourceFile(String name, List<String> lines) {
     String folder() {
         return name.substring(0, name.lastIndexOf('/'));
     }
+
+    /** {@return the name of the class that the file is named after} */
+    String className() {
+        return name.substring(name.lastIndexOf('/') + 1, name.length() - ".java".length());
+    }
 }

@@ -27,4 +27,10 @@ class SourcesTest {
 
         assertThat(told).isEqualTo(folders);
     }
+
+    /** Nor in two packages: a name alone says which class is meant. */
+    @Test
+    void noTopLevelClassNameOccursTwice() {
+        assertThat(MAIN).extracting(SourceFile::className).filteredOn(name -> !name.equals("package-info")).doesNotHaveDuplicates();
+    }
 }

@@ -12,8 +12,8 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.ParentCommand;
-import simpleray.image.Comparison;
 import simpleray.image.HeatMap;
+import simpleray.image.PictureDiff;
 import simpleray.image.PngRows;
 import simpleray.text.PictureFormatException;
 import simpleray.text.WholeFile;
@@ -50,9 +50,9 @@ final class CompareCommand implements Callable<Integer> {
             if (a.width() != b.width() || a.height() != b.height()) {
                 return trouble(one + " is " + a.width() + 'x' + a.height() + ", and " + other + " is " + b.width() + 'x' + b.height());
             }
-            Comparison comparison = heatmap == null ? compare(a, b, null) : compareAndDraw(a, b);
-            TextOutput.say(main, format == Stats.Format.JSON ? json(comparison, a) : text(comparison, a));
-            return comparison.maximum() == 0 ? ExitCode.DONE : ExitCode.DIFFERENT;
+            PictureDiff diff = heatmap == null ? compare(a, b, null) : compareAndDraw(a, b);
+            TextOutput.say(main, format == Stats.Format.JSON ? json(diff, a) : text(diff, a));
+            return diff.maximum() == 0 ? ExitCode.DONE : ExitCode.DIFFERENT;
         } catch (PictureFormatException e) {
             return trouble(e.getMessage());
         } catch (IOException e) {
@@ -82,24 +82,24 @@ final class CompareCommand implements Callable<Integer> {
         }
     }
 
-    private Comparison compareAndDraw(PngRows a, PngRows b) throws IOException, Failure {
+    private PictureDiff compareAndDraw(PngRows a, PngRows b) throws IOException, Failure {
         try (WholeFile file = TextOutput.begin(heatmap)) {
             HeatMap map = new HeatMap(a.width(), a.height(), file.out());
-            Comparison comparison = compare(a, b, map);
+            PictureDiff diff = compare(a, b, map);
             try {
                 map.end();
                 file.commit();
             } catch (IOException e) {
                 throw notWritten(e);
             }
-            return comparison;
+            return diff;
         }
     }
 
-    private Comparison compare(PngRows a, PngRows b, HeatMap map) throws IOException, Failure {
-        Comparison comparison = new Comparison(a.width(), a.height());
+    private PictureDiff compare(PngRows a, PngRows b, HeatMap map) throws IOException, Failure {
+        PictureDiff diff = new PictureDiff(a.width(), a.height());
         for (int y = 0; y < a.height(); y++) {
-            int[] differences = comparison.row(a.next(), b.next());
+            int[] differences = diff.row(a.next(), b.next());
             if (map != null) {
                 try {
                     map.row(y, differences);
@@ -108,14 +108,14 @@ final class CompareCommand implements Callable<Integer> {
                 }
             }
         }
-        return comparison;
+        return diff;
     }
 
     private Failure notWritten(IOException e) {
         return new Failure(ExitCode.WRITE_ERROR, "simpleray: " + heatmap + ": cannot be written: " + e.getMessage());
     }
 
-    private String text(Comparison c, PngRows size) {
+    private String text(PictureDiff c, PngRows size) {
         return String.format(Locale.ROOT, "%s and %s are %s: %dx%d%n"
             + "largest difference     %d levels%n"
             + "RMSE                   %.6f levels%n"
@@ -126,7 +126,7 @@ final class CompareCommand implements Callable<Integer> {
             c.beyondOneLevel(), c.pixels()).replace(System.lineSeparator(), "\n");
     }
 
-    private static String json(Comparison c, PngRows size) {
+    private static String json(PictureDiff c, PngRows size) {
         return "{\"same\":" + (c.maximum() == 0) + ",\"width\":" + size.width() + ",\"height\":" + size.height() + ",\"maximum\":"
             + c.maximum() + ",\"rmse\":" + c.rmse() + ",\"psnr\":" + (c.maximum() == 0 ? "null" : String.valueOf(c.psnr())) + ",\"ssim\":"
             + c.ssim() + ",\"beyondOneLevel\":" + c.beyondOneLevel() + ",\"pixels\":" + c.pixels() + "}\n";

@@ -21,7 +21,7 @@ final class MeshFiles {
     private static final String ROOTED = "(?s)/.*|[A-Za-z]:.*";
 
     /** Each that was read, once, under the name that the scene had for it first. */
-    final List<SceneText.MeshFile> read = new ArrayList<>();
+    final List<SourceText.MeshFile> read = new ArrayList<>();
 
     private final Reach reach;
     private final Map<Path, TriangleMesh> meshes = new HashMap<>();     // by absolute path
@@ -70,7 +70,7 @@ final class MeshFiles {
             List<Problem> problems = new ArrayList<>();
             try {
                 mesh = new TriangleMesh(ObjReader.read(path, problems::add,
-                    digest -> read.add(new SceneText.MeshFile(name, digest))));
+                    digest -> read.add(new SourceText.MeshFile(name, digest))));
             } catch (SceneFormatException e) {
                 problems.addAll(e.problems());
             }

@@ -9,7 +9,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import simpleray.scene.SceneText.MeshFile;
+import simpleray.scene.SourceText.MeshFile;
 import simpleray.text.PictureFormatException;
 import simpleray.text.PngChunks;
 import simpleray.text.PngText;
@@ -27,7 +27,7 @@ import simpleray.text.Sha256;
  * @param others the other options, a line each
  * @param text the scene, of which the text itself may be missing, and the meshes that it names
  */
-public record PictureScene(String file, String software, SceneSettings settings, List<String> others, SceneText text) {
+public record PictureScene(String file, String software, SceneSettings settings, List<String> others, SourceText text) {
     private static final String SOFTWARE = "Software";
     private static final String OPTIONS = "simpleray.options";
     private static final String SUMS = "simpleray.sha256";
@@ -75,7 +75,7 @@ public record PictureScene(String file, String software, SceneSettings settings,
             text(file, sums.lines().toList(), texts.get(TEXT)));
     }
 
-    private static SceneText text(String file, List<String> sums, byte[] text) throws IOException {
+    private static SourceText text(String file, List<String> sums, byte[] text) throws IOException {
         List<MeshFile> all = new ArrayList<>();
         for (String line : sums) {
             if (line.length() <= SUM + GAP.length() || !line.startsWith(GAP, SUM)) {
@@ -90,7 +90,7 @@ public record PictureScene(String file, String software, SceneSettings settings,
         if (text != null && !Sha256.of(text).equals(scene.sha256())) {
             throw new PictureFormatException(file, "carries another scene than it was made of: the digests differ");
         }
-        return new SceneText(scene.name(), scene.sha256(), text, List.copyOf(all));
+        return new SourceText(scene.name(), scene.sha256(), text, List.copyOf(all));
     }
 
     private static String string(Map<String, byte[]> texts, String keyword) {
@@ -106,7 +106,7 @@ public record PictureScene(String file, String software, SceneSettings settings,
      * @param text the scene
      * @return the texts
      */
-    public static List<PngText> texts(String software, String options, SceneText text) {
+    public static List<PngText> texts(String software, String options, SourceText text) {
         StringBuilder sums = new StringBuilder(text.sha256() + GAP + line(text.name()) + '\n');
         for (MeshFile mesh : text.meshes()) {
             sums.append(mesh.sha256()).append(GAP).append(line(mesh.name())).append('\n');

@@ -22,7 +22,7 @@ import simpleray.text.SceneReader;
  * @param warnings the warnings, in the order of the file
  * @param text what it was read from; null if it was not read
  */
-public record SceneFile(Scene scene, List<Problem> warnings, SceneText text) {
+public record SceneFile(Scene scene, List<Problem> warnings, SourceText text) {
     private static final String STREAM = "<stdin>";
 
     /**
@@ -161,16 +161,16 @@ public record SceneFile(Scene scene, List<Problem> warnings, SceneText text) {
             }
         });
         String base = name.equals(STREAM) ? "stdin" : Path.of(name).getFileName().toString();
-        return new SceneFile(scene, reader.warnings(), new SceneText(base, in.sha256(), in.kept(), List.copyOf(meshes.read)));
+        return new SceneFile(scene, reader.warnings(), new SourceText(base, in.sha256(), in.kept(), List.copyOf(meshes.read)));
     }
 
     /** Reads a scene of which a picture carries the text. */
-    static SceneFile read(SceneText carried, String name, Path folder, Reach reach) throws IOException {
+    static SceneFile read(SourceText carried, String name, Path folder, Reach reach) throws IOException {
         SceneReader reader = new SceneReader(new ByteArrayInputStream(carried.bytes()), name, folder);
         MeshFiles meshes = MeshFiles.of(reader, reach);
         Scene scene = read(reader, () -> null);               // it was a scene when the picture was made
         return new SceneFile(scene, reader.warnings(),
-            new SceneText(carried.name(), carried.sha256(), carried.bytes(), List.copyOf(meshes.read)));
+            new SourceText(carried.name(), carried.sha256(), carried.bytes(), List.copyOf(meshes.read)));
     }
 
     /** What can read the scene again; null if nothing can. */

@@ -16,7 +16,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import simpleray.image.Picture;
 import simpleray.image.PngWriter;
-import simpleray.scene.SceneText.MeshFile;
+import simpleray.scene.SourceText.MeshFile;
 import simpleray.text.PictureFormatException;
 import simpleray.text.PngText;
 import simpleray.text.Problem;
@@ -25,7 +25,7 @@ import simpleray.text.Sha256;
 
 class PictureSceneTest {
     private static final byte[] DARK = "0\nambient\n0.5 0.5 0.5\n0\ndepth 3\n".getBytes(StandardCharsets.UTF_8);
-    private static final SceneText TEXT = new SceneText("dark.scene", Sha256.of(DARK), DARK, List.of());
+    private static final SourceText TEXT = new SourceText("dark.scene", Sha256.of(DARK), DARK, List.of());
 
     @TempDir
     private Path folder;
@@ -51,7 +51,7 @@ class PictureSceneTest {
 
     @Test
     void whatAPictureTellsIsRead() throws IOException {
-        SceneText text = new SceneText("dark\n.scene", TEXT.sha256(), DARK, List.of(new MeshFile("a b.obj", "0".repeat(64))));
+        SourceText text = new SourceText("dark\n.scene", TEXT.sha256(), DARK, List.of(new MeshFile("a b.obj", "0".repeat(64))));
         write(PictureScene.texts("SimpleRay 1", "stage final\nsamples adaptive\ncop 3.5\nlens 4\n", text));
 
         PictureScene told = PictureScene.read(file);
@@ -84,7 +84,7 @@ class PictureSceneTest {
     void aSceneRemembersItsTextAndNotItsFolder() throws IOException {
         Path scene = Files.write(folder.resolve("dark.scene"), DARK);
 
-        SceneText text = SceneFile.read(scene).text();
+        SourceText text = SceneFile.read(scene).text();
 
         assertThat(text.name()).isEqualTo("dark.scene");
         assertThat(text.sha256()).isEqualTo(Sha256.of(DARK));
@@ -105,7 +105,7 @@ class PictureSceneTest {
     @Test
     void anErrorInTheSceneOfAPictureHasItsPlace() throws IOException {
         byte[] bad = "1\n5".getBytes(StandardCharsets.UTF_8);
-        write(PictureScene.texts("SimpleRay 1", "stage final\n", new SceneText("bad.scene", Sha256.of(bad), bad, List.of())));
+        write(PictureScene.texts("SimpleRay 1", "stage final\n", new SourceText("bad.scene", Sha256.of(bad), bad, List.of())));
 
         assertThatThrownBy(() -> SceneFile.read(file)).isInstanceOf(SceneFormatException.class)
             .hasMessageStartingWith(file + ":2:1: error: expected object 1's type ");
@@ -113,14 +113,14 @@ class PictureSceneTest {
 
     @Test
     void aSceneThatIsNotTheOneOfTheDigestIsRefused() throws IOException {
-        write(PictureScene.texts("SimpleRay 1", "stage final\n", new SceneText("dark.scene", "1".repeat(64), DARK, List.of())));
+        write(PictureScene.texts("SimpleRay 1", "stage final\n", new SourceText("dark.scene", "1".repeat(64), DARK, List.of())));
 
         assertFault("carries another scene than it was made of: the digests differ", () -> PictureScene.read(file));
     }
 
     @Test
     void withoutTheTextTheSceneItselfMustBeOpened() throws IOException {
-        write(PictureScene.texts("SimpleRay 1", "stage final\n", new SceneText("dark.scene", TEXT.sha256(), null, List.of())));
+        write(PictureScene.texts("SimpleRay 1", "stage final\n", new SourceText("dark.scene", TEXT.sha256(), null, List.of())));
 
         assertThat(PictureScene.read(file).text().bytes()).isNull();
         assertFault("carries only the digest of its scene, which is too long: open dark.scene", () -> SceneFile.read(file));

@@ -58,7 +58,7 @@ class SceneFileTest {
         assertThat(file.warnings()).singleElement().extracting(Problem::file).isEqualTo(path.toString());
         assertThat(file.text().name()).isEqualTo("unsaved.scene");
         assertThat(file.text().bytes()).asString(StandardCharsets.UTF_8).isEqualTo(text);
-        assertThat(file.text().meshes()).extracting(SceneText.MeshFile::name).containsExactly("a.obj");
+        assertThat(file.text().meshes()).extracting(SourceText.MeshFile::name).containsExactly("a.obj");
     }
 
     @Test

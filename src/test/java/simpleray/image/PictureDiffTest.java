@@ -11,7 +11,7 @@ import java.util.Random;
 import org.junit.jupiter.api.Test;
 
 /** Figures that follow from arithmetic. */
-class ComparisonTest {
+class PictureDiffTest {
     private static final double SMALL = 1e-12;
 
     private static byte[] row(int... levels) {
@@ -30,7 +30,7 @@ class ComparisonTest {
 
     @Test
     void equalPicturesAreTheSameInEveryFigure() {
-        Comparison same = new Comparison(40, 30);
+        PictureDiff same = new PictureDiff(40, 30);
         Random random = new Random(1);
         for (int y = 0; y < 30; y++) {
             byte[] row = new byte[120];
@@ -47,38 +47,38 @@ class ComparisonTest {
 
     @Test
     void thePlainFiguresAreThoseOfAllLevels() {
-        Comparison comparison = new Comparison(2, 2);
+        PictureDiff diff = new PictureDiff(2, 2);
 
         // differences 1, 0, 0 and 0, 2, 0; then 0, 0, 0 and 3, 4, 255
-        assertThat(comparison.row(row(10, 20, 30, 40, 50, 60), row(11, 20, 30, 40, 48, 60))).containsExactly(1, 2);
-        assertThat(comparison.row(row(0, 0, 0, 3, 4, 255), row(0, 0, 0, 0, 0, 0))).containsExactly(0, 255);
+        assertThat(diff.row(row(10, 20, 30, 40, 50, 60), row(11, 20, 30, 40, 48, 60))).containsExactly(1, 2);
+        assertThat(diff.row(row(0, 0, 0, 3, 4, 255), row(0, 0, 0, 0, 0, 0))).containsExactly(0, 255);
 
-        assertThat(comparison.maximum()).isEqualTo(255);
-        assertThat(comparison.beyondOneLevel()).isEqualTo(2);
-        assertThat(comparison.pixels()).isEqualTo(4);
+        assertThat(diff.maximum()).isEqualTo(255);
+        assertThat(diff.beyondOneLevel()).isEqualTo(2);
+        assertThat(diff.pixels()).isEqualTo(4);
         double mean = (1 + 4 + 9 + 16 + 65025) / 12.0;
-        assertThat(comparison.rmse()).isEqualTo(Math.sqrt(mean), within(SMALL));
-        assertThat(comparison.psnr()).isEqualTo(10 * Math.log10(65025 / mean), within(SMALL));
+        assertThat(diff.rmse()).isEqualTo(Math.sqrt(mean), within(SMALL));
+        assertThat(diff.psnr()).isEqualTo(10 * Math.log10(65025 / mean), within(SMALL));
     }
 
     @Test
     void pixelsThatAllDifferByTenHave28Decibels() {
-        Comparison comparison = new Comparison(1, 1);
-        comparison.row(plain(1, 100), plain(1, 110));
+        PictureDiff diff = new PictureDiff(1, 1);
+        diff.row(plain(1, 100), plain(1, 110));
 
-        assertThat(comparison.rmse()).isEqualTo(10);
-        assertThat(comparison.psnr()).isEqualTo(28.13080360867, within(1e-10));   // 20 log 25.5
+        assertThat(diff.rmse()).isEqualTo(10);
+        assertThat(diff.psnr()).isEqualTo(28.13080360867, within(1e-10));   // 20 log 25.5
     }
 
     /** Without structure only the means count: (2ab + C1) / (a² + b² + C1), C1 = 2.55² = 6.5025. */
     @Test
     void theSimilarityOfTwoGreysIsThatOfTheirMeans() {
         for (int[] size : new int[][] {{1, 1}, {5, 20}, {20, 5}, {11, 11}, {31, 17}}) {
-            Comparison comparison = new Comparison(size[0], size[1]);
+            PictureDiff diff = new PictureDiff(size[0], size[1]);
             for (int y = 0; y < size[1]; y++) {
-                comparison.row(plain(size[0], 100), plain(size[0], 200));
+                diff.row(plain(size[0], 100), plain(size[0], 200));
             }
-            assertThat(comparison.ssim()).as(size[0] + "x" + size[1])
+            assertThat(diff.ssim()).as(size[0] + "x" + size[1])
                 .isEqualTo((2 * 100 * 200 + 6.5025) / (100 * 100 + 200 * 200 + 6.5025), within(1e-9));
         }
     }
@@ -89,10 +89,10 @@ class ComparisonTest {
      */
     @Test
     void theSimilarityOfTwoPixelsFollowsFromTheFormula() {
-        Comparison comparison = new Comparison(2, 1);
-        comparison.row(row(0, 0, 0, 200, 200, 200), row(0, 0, 0, 100, 100, 100));
+        PictureDiff diff = new PictureDiff(2, 1);
+        diff.row(row(0, 0, 0, 200, 200, 200), row(0, 0, 0, 100, 100, 100));
 
-        assertThat(comparison.ssim()).isEqualTo((2 * 100 * 50 + 6.5025) * (2 * 5000 + 58.5225)
+        assertThat(diff.ssim()).isEqualTo((2 * 100 * 50 + 6.5025) * (2 * 5000 + 58.5225)
             / ((100 * 100 + 50 * 50 + 6.5025) * (10000 + 2500 + 58.5225)), within(1e-9));
     }
 
@@ -102,14 +102,14 @@ class ComparisonTest {
         byte[][] one = new byte[11][36];
         byte[][] other = new byte[11][36];
         Random random = new Random(2);
-        Comparison comparison = new Comparison(12, 11);
+        PictureDiff diff = new PictureDiff(12, 11);
         for (int y = 0; y < 11; y++) {
             random.nextBytes(one[y]);
             random.nextBytes(other[y]);
-            comparison.row(one[y], other[y]);
+            diff.row(one[y], other[y]);
         }
 
-        assertThat(comparison.ssim()).isEqualTo((window(one, other, 0) + window(one, other, 1)) / 2, within(1e-9));
+        assertThat(diff.ssim()).isEqualTo((window(one, other, 0) + window(one, other, 1)) / 2, within(1e-9));
     }
 
     private static double window(byte[][] one, byte[][] other, int from) {

@@ -1,7 +1,7 @@
 package simpleray.image;
 
 /** Measures how two pictures of one size differ, row by row. <em>Mutable,</em> for one thread. */
-public final class Comparison {
+public final class PictureDiff {
     private static final int LEVEL = 255;
 
     private final Similarity similarity;
@@ -16,7 +16,7 @@ public final class Comparison {
      * @param width the width of both in pixels
      * @param height the height of both in pixels
      */
-    public Comparison(int width, int height) {
+    public PictureDiff(int width, int height) {
         similarity = new Similarity(width, height);
         pixels = (long) width * height;
     }

@@ -10,7 +10,7 @@ import java.util.List;
  * @param bytes the text, not to be changed; null if it is too long to be kept
  * @param meshes the files that it names
  */
-public record SceneText(String name, String sha256, byte[] bytes, List<MeshFile> meshes) {
+public record SourceText(String name, String sha256, byte[] bytes, List<MeshFile> meshes) {
     /**
      * A file that a scene names. <em>Constant.</em>
      *
