@@ -202,7 +202,7 @@ final class BenchCommand implements Callable<Integer> {
     private static Run run(Scene scene, RenderSettings settings, int side) {
         Renderer renderer = new Renderer(scene, new SimpleCamera(side, side), settings);
         renderer.render(RenderListener.NONE);
-        return new Run(renderer.work().readySeconds(), renderer.work().renderSeconds(), renderer.work().stats());
+        return new Run(renderer.stats().readySeconds(), renderer.stats().renderSeconds(), renderer.stats().rays());
     }
 
     private void say(String format, java.lang.Object... values) throws Failure {

@@ -207,7 +207,7 @@ final class RenderCommand implements PlainCommand {
         if (stats == null) {
             return;
         }
-        String text = new Stats(readSeconds, renderer.work()).text(stats);
+        String text = new Stats(readSeconds, renderer.stats()).text(stats);
         if (output.equals(SceneArgument.STREAM)) {
             main.err().print(text);
         } else {

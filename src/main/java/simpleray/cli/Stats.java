@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Collectors;
-import simpleray.render.Work;
+import simpleray.render.RenderStats;
 import simpleray.scene.RayStats;
 
 /** What {@code render --stats} says of a rendering. <em>Constant.</em> */
@@ -33,10 +33,10 @@ final class Stats {
      * Collects what is to be said.
      *
      * @param readSeconds the time to read the scene
-     * @param work what the rendering did
+     * @param render what the rendering did
      */
-    Stats(double readSeconds, Work work) {
-        RayStats stats = work.stats();
+    Stats(double readSeconds, RenderStats render) {
+        RayStats stats = render.rays();
         if (stats != null) {
             rays.put("primary", stats.primary);
             rays.put("reflected", stats.reflected);
@@ -47,8 +47,8 @@ final class Stats {
             depths = stats.depths.clone();
         }
         seconds.put("read", rounded(readSeconds));
-        seconds.put("prepare", rounded(work.readySeconds()));
-        seconds.put("renderAndWrite", rounded(work.renderSeconds()));
+        seconds.put("prepare", rounded(render.readySeconds()));
+        seconds.put("renderAndWrite", rounded(render.renderSeconds()));
     }
 
     private static double rounded(double d) {

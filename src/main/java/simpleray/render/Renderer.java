@@ -49,7 +49,7 @@ public final class Renderer {
     private volatile PassWork passes;                         // null unless it renders in passes
     private boolean paused;
     private IntFunction<double[]> known;                      // null if no row is
-    private Work work;
+    private RenderStats stats;
 
     /**
      * Prepares a rendering, to be used once.
@@ -90,8 +90,8 @@ public final class Renderer {
     }
 
     /** {@return what the rendering did; null until it has ended} */
-    public Work work() {
-        return work;
+    public RenderStats stats() {
+        return stats;
     }
 
     /**
@@ -200,7 +200,7 @@ public final class Renderer {
         for (Thread worker : workers) {
             await(worker);
         }
-        this.work = new Work(tracers.stats(), Progress.seconds(start, begin),
+        stats = new RenderStats(tracers.stats(), Progress.seconds(start, begin),
             Progress.seconds(begin, System.nanoTime()));
         if (fault instanceof Error error) {
             throw error;

@@ -114,8 +114,8 @@ class ViewsTest {
             new RenderSettings(Stage.SHADOWS, 1, 1, 1));
         renderer.render(RenderListener.NONE);
 
-        assertThat(renderer.work().stats().primary).isEqualTo(12);
-        assertThat(renderer.work().stats().shadow).isEqualTo(12);
+        assertThat(renderer.stats().rays().primary).isEqualTo(12);
+        assertThat(renderer.stats().rays().shadow).isEqualTo(12);
     }
 
     private static double[] centre(String text, Stage view, int depth) throws IOException {
