@@ -5,10 +5,10 @@ public interface PassListener extends RenderListener {
     /**
      * Some pixels are there.
      *
-     * @param part which
+     * @param run which
      * @param rgb red, green and blue of each, linear and not clamped; the listener's own
      */
-    void partFinished(Part part, double[] rgb);
+    void runFinished(PixelRun run, double[] rgb);
 
     /** The first pass is over: all of what is rendered is there in coarse blocks. */
     void coarseFinished();

@@ -46,7 +46,7 @@ public final class Renderer {
     private final Map<Integer, double[]> early = new ConcurrentHashMap<>();   // rows that were rendered before their turn
     private final AtomicInteger nextEarly = new AtomicInteger();
     private volatile CompiledScene ready;                            // kept for who asks about pixels
-    private volatile PassWork passes;                         // null unless it renders in passes
+    private volatile ProgressiveRenderer passes;              // null unless it renders in passes
     private boolean paused;
     private IntFunction<double[]> known;                      // null if no row is
     private RenderStats stats;
@@ -148,7 +148,7 @@ public final class Renderer {
         if (first != null) {
             first.requireWithin(picture.width(), picture.height());
         }
-        PassWork own = new PassWork(picture, listener, first, alone, settings.samples() == RenderSettings.ADAPTIVE);
+        ProgressiveRenderer own = new ProgressiveRenderer(picture, listener, first, alone, settings.samples() == RenderSettings.ADAPTIVE);
         synchronized (this) {
             passes = own;
             own.setPaused(paused);
@@ -227,7 +227,7 @@ public final class Renderer {
     public void cancel() {
         cancelled = true;
         rows.stop();
-        PassWork current = passes;
+        ProgressiveRenderer current = passes;
         if (current != null) {
             current.stop();
         }

@@ -4,8 +4,8 @@ import java.awt.Rectangle;
 import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import simpleray.image.Picture;
-import simpleray.render.Part;
 import simpleray.render.PassListener;
+import simpleray.render.PixelRun;
 import simpleray.render.Progress;
 
 /** What is finished of a picture and not yet painted: the threads that render add, the event thread takes. Neither waits for the other. */
@@ -35,15 +35,15 @@ final class Pieces implements PassListener {
     }
 
     @Override
-    public void partFinished(Part part, double[] rgb) {
+    public void runFinished(PixelRun run, double[] rgb) {
         byte[] levels = Picture.levels(rgb);
         int[] packed = new int[levels.length / 3];
         for (int i = 0; i < packed.length; i++) {
             packed[i] = 0xFF000000 | (levels[3 * i] & LEVEL) << 16 | (levels[3 * i + 1] & LEVEL) << 8 | levels[3 * i + 2] & LEVEL;
         }
-        queue.add(new Piece(new Canvas.Strip(part.y(), part.x(), part.step(), part.size(), packed), -1));
-        if (!part.preview()) {
-            counter.worked(part.count() / width);
+        queue.add(new Piece(new Canvas.Strip(run.y(), run.x(), run.step(), run.size(), packed), -1));
+        if (!run.preview()) {
+            counter.worked(run.count() / width);
         }
     }
 

@@ -58,8 +58,8 @@ class PreparedSceneTest {
     private static Picture rendered(Renderer renderer) {
         return renderer.renderPasses(new PassListener() {
             @Override
-            public void partFinished(Part part, double[] rgb) {
-                assertThat(rgb).hasSize(3 * part.count());
+            public void runFinished(PixelRun run, double[] rgb) {
+                assertThat(rgb).hasSize(3 * run.count());
             }
 
             @Override

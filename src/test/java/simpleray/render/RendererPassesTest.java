@@ -38,9 +38,9 @@ class RendererPassesTest {
         final AtomicInteger coarse = new AtomicInteger();
 
         @Override
-        public void partFinished(Part part, double[] rgb) {
-            for (int x = part.x(), i = 0; x < part.end(); x += part.step(), i += 3) {
-                pixels.put((long) part.y() * WIDTH + x, new double[] {rgb[i], rgb[i + 1], rgb[i + 2]});
+        public void runFinished(PixelRun run, double[] rgb) {
+            for (int x = run.x(), i = 0; x < run.end(); x += run.step(), i += 3) {
+                pixels.put((long) run.y() * WIDTH + x, new double[] {rgb[i], rgb[i + 1], rgb[i + 2]});
             }
         }
 
@@ -165,15 +165,15 @@ class RendererPassesTest {
             }
 
             @Override
-            public void partFinished(Part part, double[] rgb) {
-                if (part.size() < 8) {                        // however slow the other thread is, the picture is not whole before the pause
+            public void runFinished(PixelRun run, double[] rgb) {
+                if (run.size() < 8) {                        // however slow the other thread is, the picture is not whole before the pause
                     try {
                         early.await();
                     } catch (InterruptedException e) {
                         throw new IllegalStateException(e);
                     }
                 }
-                super.partFinished(part, rgb);
+                super.runFinished(run, rgb);
             }
         };
         Thread rendering = new Thread(() ->
@@ -241,7 +241,7 @@ class RendererPassesTest {
         IllegalStateException fault = new IllegalStateException("a fault of this listener");
         Told told = new Told() {
             @Override
-            public void partFinished(Part part, double[] rgb) {
+            public void runFinished(PixelRun run, double[] rgb) {
                 throw fault;
             }
         };

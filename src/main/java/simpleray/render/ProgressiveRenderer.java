@@ -6,11 +6,11 @@ import java.util.function.Function;
 import simpleray.image.Picture;
 import simpleray.math.Colour;
 
-/** Renders a picture in {@link Passes}: what all its threads share, and what each of them does. */
-final class PassWork {
+/** Renders a picture in the passes of a {@link ProgressiveOrder}: what all its threads share, and what each of them does. */
+final class ProgressiveRenderer {
     private final Picture picture;
     private final PassListener listener;
-    private final Passes passes;
+    private final ProgressiveOrder passes;
     private final Pause pause = new Pause();
     private final double[][] previews;                        // null if no pixel is sampled by what its neighbours are
     private final AtomicReferenceArray<double[]> rows;        // as far as they are traced
@@ -28,12 +28,12 @@ final class PassWork {
      * @param alone whether that is all
      * @param adaptive whether pixels are sampled by what their neighbours are
      */
-    PassWork(Picture picture, PassListener listener, Region first, boolean alone, boolean adaptive) {
+    ProgressiveRenderer(Picture picture, PassListener listener, Region first, boolean alone, boolean adaptive) {
         this.picture = picture;
         this.listener = listener;
         int width = picture.width();
         int height = picture.height();
-        passes = new Passes(width, height, first, alone, adaptive);
+        passes = new ProgressiveOrder(width, height, first, alone, adaptive);
         previews = adaptive ? new double[height][] : null;
         rows = new AtomicReferenceArray<>(height);
         missing = new AtomicIntegerArray(height);
@@ -66,14 +66,14 @@ final class PassWork {
         Pixels sampler = sampler(tracers.apply(false), samples, true);
         boolean last = false;
         boolean preview = true;
-        for (Part part = passes.next(); part != null && !stopped; part = passes.next()) {
-            if (part.size() == 1 && !last || part.preview() != preview) {
-                sampler = sampler(tracers.apply(part.size() == 1), samples, part.preview());
-                last = part.size() == 1;
-                preview = part.preview();
+        for (PixelRun run = passes.next(); run != null && !stopped; run = passes.next()) {
+            if (run.size() == 1 && !last || run.preview() != preview) {
+                sampler = sampler(tracers.apply(run.size() == 1), samples, run.preview());
+                last = run.size() == 1;
+                preview = run.preview();
             }
-            trace(part, sampler);
-            if (passes.finished(part) && !stopped) {
+            trace(run, sampler);
+            if (passes.finished(run) && !stopped) {
                 listener.coarseFinished();
             }
         }
@@ -92,12 +92,12 @@ final class PassWork {
         return preview ? sampler::first : sampler::pixel;
     }
 
-    private void trace(Part part, Pixels sampler) {
-        double[] rgb = new double[3 * part.count()];
-        Throwable fault = fault(part);
+    private void trace(PixelRun run, Pixels sampler) {
+        double[] rgb = new double[3 * run.count()];
+        Throwable fault = fault(run);
         if (fault == null) {
             try {
-                trace(part, sampler, rgb);
+                trace(run, sampler, rgb);
             } catch (RuntimeException | Error e) {
                 fault = e;
             }
@@ -106,62 +106,62 @@ final class PassWork {
             return;
         }
         if (fault != null) {
-            fail(part, fault);
+            fail(run, fault);
             return;
         }
-        keep(part, rgb);
-        listener.partFinished(part, rgb);
-        if (!part.preview() && missing.addAndGet(part.y(), -part.count()) == 0) {
-            double[] row = rows.getAndSet(part.y(), null);
+        keep(run, rgb);
+        listener.runFinished(run, rgb);
+        if (!run.preview() && missing.addAndGet(run.y(), -run.count()) == 0) {
+            double[] row = rows.getAndSet(run.y(), null);
             if (wholeRows) {
-                picture.setRow(part.y(), row);
+                picture.setRow(run.y(), row);
             }
-            listener.rowFinished(part.y());
+            listener.rowFinished(run.y());
         }
     }
 
-    private void fail(Part part, Throwable fault) {
-        if (part.preview()) {
-            unseen.set(part.y(), fault);
+    private void fail(PixelRun run, Throwable fault) {
+        if (run.preview()) {
+            unseen.set(run.y(), fault);
         }
-        if (faults.compareAndSet(part.y(), null, fault)) {
-            listener.rowFailed(part.y(), fault);
+        if (faults.compareAndSet(run.y(), null, fault)) {
+            listener.rowFailed(run.y(), fault);
         }
     }
 
     /** {@return what went wrong with a row before, or with a preview that it builds on; null for nothing} */
-    private Throwable fault(Part part) {
-        Throwable fault = faults.get(part.y());
-        if (previews != null && !part.preview()) {
-            for (int y = Math.max(0, part.y() - 1); fault == null && y <= Math.min(picture.height() - 1, part.y() + 1); y++) {
+    private Throwable fault(PixelRun run) {
+        Throwable fault = faults.get(run.y());
+        if (previews != null && !run.preview()) {
+            for (int y = Math.max(0, run.y() - 1); fault == null && y <= Math.min(picture.height() - 1, run.y() + 1); y++) {
                 fault = unseen.get(y);
             }
         }
         return fault;
     }
 
-    private void trace(Part part, Pixels sampler, double[] rgb) {
+    private void trace(PixelRun run, Pixels sampler, double[] rgb) {
         Colour colour = new Colour();
         int i = 0;
-        for (int x = part.x(); x < part.end() && !stopped; x += part.step()) {
+        for (int x = run.x(); x < run.end() && !stopped; x += run.step()) {
             pause.await();
-            sampler.find(x, part.y(), colour);
+            sampler.find(x, run.y(), colour);
             rgb[i++] = colour.r;
             rgb[i++] = colour.g;
             rgb[i++] = colour.b;
         }
     }
 
-    private void keep(Part part, double[] rgb) {
-        double[] row = row(part);
-        for (int x = part.x(), i = 0; x < part.end(); x += part.step(), i += 3) {
+    private void keep(PixelRun run, double[] rgb) {
+        double[] row = row(run);
+        for (int x = run.x(), i = 0; x < run.end(); x += run.step(), i += 3) {
             System.arraycopy(rgb, i, row, 3 * x, 3);
         }
     }
 
-    private double[] row(Part part) {
-        int y = part.y();
-        if (part.preview()) {
+    private double[] row(PixelRun run) {
+        int y = run.y();
+        if (run.preview()) {
             synchronized (previews) {
                 if (previews[y] == null) {
                     previews[y] = new double[3 * picture.width()];

@@ -10,15 +10,15 @@ import java.util.List;
  * whole is seen early and no pixel is traced twice. One region may come before the rest, or alone. Where pixels are sampled by what
  * their neighbours are, previews of all come first. <em>Mutable</em>; any thread may call.
  */
-final class Passes extends Hold {
+final class ProgressiveOrder extends Hold {
     private static final int COARSEST = 8;
 
     private final List<Pass> passes = new ArrayList<>();
-    private final Deque<Part> cut = new ArrayDeque<>();       // the pieces of a row that are to be handed out next
+    private final Deque<PixelRun> cut = new ArrayDeque<>();   // the runs of a row that are to be handed out next
     private int pass;
     private int row;                                          // of the pass, 0 for its first
-    private int open;                                         // parts that are handed out and not finished
-    private int coarse;                                       // parts of the first pass that are not finished
+    private int open;                                         // runs that are handed out and not finished
+    private int coarse;                                       // runs of the first pass that are not finished
     private boolean stopped;
 
     /**
@@ -26,29 +26,29 @@ final class Passes extends Hold {
      *
      * @param except what of the area is left out; null for nothing
      * @param size the side of the blocks
-     * @param after whether all parts before must be finished first
+     * @param after whether all runs before must be finished first
      */
     private record Pass(Region area, Region except, int size, boolean rows, boolean preview, boolean after) {
-        /** {@return the pixels of its k-th row, in up to two pieces} */
-        List<Part> parts(int k) {
+        /** {@return the pixels of its k-th row, in up to two runs} */
+        List<PixelRun> runs(int k) {
             int y = area.y() + k * size;
             boolean begun = !rows && size < COARSEST && k % 2 == 0;     // of this row the pass before had every second
             int x = begun ? area.x() + size : area.x();
             int step = begun ? 2 * size : size;
-            List<Part> parts = new ArrayList<>(2);
+            List<PixelRun> runs = new ArrayList<>(2);
             if (except == null || y < except.y() || y >= except.bottom()) {
-                add(parts, y, x, area.right(), step);
+                add(runs, y, x, area.right(), step);
             } else {
-                add(parts, y, x, Math.min(except.x(), area.right()), step);
+                add(runs, y, x, Math.min(except.x(), area.right()), step);
                 int behind = Math.max(x, except.right());
-                add(parts, y, behind + Math.floorMod(x - behind, step), area.right(), step);
+                add(runs, y, behind + Math.floorMod(x - behind, step), area.right(), step);
             }
-            return parts;
+            return runs;
         }
 
-        private void add(List<Part> parts, int y, int x, int end, int step) {
+        private void add(List<PixelRun> runs, int y, int x, int end, int step) {
             if (x < end) {
-                parts.add(new Part(y, x, end, step, size, preview));
+                runs.add(new PixelRun(y, x, end, step, size, preview));
             }
         }
 
@@ -64,7 +64,7 @@ final class Passes extends Hold {
      * @param alone whether that is all
      * @param previews whether the last pass needs previews of each pixel and of its neighbours
      */
-    Passes(int width, int height, Region first, boolean alone, boolean previews) {
+    ProgressiveOrder(int width, int height, Region first, boolean alone, boolean previews) {
         Region all = Region.whole(width, height);
         if (first != null) {
             plan(first, null, previews ? first.grown(width, height) : null, null);
@@ -73,7 +73,7 @@ final class Passes extends Hold {
             plan(all, first, previews ? all : null, first == null ? null : first.grown(width, height));
         }
         for (int k = 0; k < passes.get(0).count(); k++) {
-            coarse += passes.get(0).parts(k).size();
+            coarse += passes.get(0).runs(k).size();
         }
     }
 
@@ -88,7 +88,7 @@ final class Passes extends Hold {
     }
 
     /** {@return what is to be traced next; null if nothing is left} May wait until what it builds on is finished. */
-    synchronized Part next() {
+    synchronized PixelRun next() {
         while (!stopped && (!cut.isEmpty() || pass < passes.size())) {
             if (!cut.isEmpty()) {
                 open++;
@@ -101,7 +101,7 @@ final class Passes extends Hold {
             } else if (holds()) {
                 untilFree();
             } else {
-                cut.addAll(current.parts(row++));
+                cut.addAll(current.runs(row++));
             }
         }
         return null;
@@ -113,15 +113,15 @@ final class Passes extends Hold {
     }
 
     /**
-     * Notes that a part is finished, and all that is done with it.
+     * Notes that a run is finished, and all that is done with it.
      *
      * @return whether it was the last of the first pass
      */
-    synchronized boolean finished(Part part) {
+    synchronized boolean finished(PixelRun run) {
         if (--open == 0) {
             notifyAll();
         }
-        return part.size() == COARSEST && coarse > 0 && --coarse == 0;
+        return run.size() == COARSEST && coarse > 0 && --coarse == 0;
     }
 
     /** Hands out nothing more. */
