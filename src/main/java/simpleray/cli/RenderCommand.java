@@ -54,7 +54,7 @@ final class RenderCommand implements PlainCommand {
     private final WorkOptions work = new WorkOptions();
 
     @Mixin
-    private final KeepOptions keep = new KeepOptions();
+    private final CheckpointOptions keep = new CheckpointOptions();
 
     @Mixin
     private final OutsideOption outside = new OutsideOption();
@@ -125,14 +125,15 @@ final class RenderCommand implements PlainCommand {
                 return PictureIdentity.of(Main.version(), request, read.scene());
             }
         };
-        try (Keeper keeper = new Keeper(kept, renderer, identity, new Keeper.Notes(main.err(), work.quiet(), main.args()))) {
+        RenderCheckpointer.Notes notes = new RenderCheckpointer.Notes(main.err(), work.quiet(), main.args());
+        try (RenderCheckpointer checkpointer = new RenderCheckpointer(kept, renderer, identity, notes)) {
             if (output.equals(SceneArgument.STREAM)) {
-                toStream(renderer, keeper);
+                toStream(renderer, checkpointer);
             } else {
-                toFile(renderer, keeper);
+                toFile(renderer, checkpointer);
             }
             return ExitCode.DONE;
-        } catch (CancellationException e) {                   // the program is told to stop; Keeper says so
+        } catch (CancellationException e) {                   // the program is told to stop; RenderCheckpointer says so
             return ExitCode.INTERRUPTED;
         }
     }
@@ -146,26 +147,26 @@ final class RenderCommand implements PlainCommand {
         }
     }
 
-    private void toStream(Renderer renderer, Keeper keeper) throws Failure {
+    private void toStream(Renderer renderer, RenderCheckpointer checkpointer) throws Failure {
         try {
-            keeper.begin(keep, Keeper.LATE);
-            render(renderer, new BufferedOutputStream(main.out()), keeper);
-            keeper.finished();
+            checkpointer.begin(keep, RenderCheckpointer.LATE);
+            render(renderer, new BufferedOutputStream(main.out()), checkpointer);
+            checkpointer.finished();
             report("<stdout>", renderer);
         } catch (IOException e) {
             throw new Failure(ExitCode.WRITE_ERROR, "simpleray: the picture cannot be written to standard output: " + e.getMessage());
         }
     }
 
-    private void toFile(Renderer renderer, Keeper keeper) throws Failure {
+    private void toFile(Renderer renderer, RenderCheckpointer checkpointer) throws Failure {
         if (TextOutput.isSame(scene, output)) {
             throw Failure.usage("the output " + output + " is the scene itself");
         }
         try (WholeFile file = TextOutput.begin(output)) {
-            keeper.begin(keep, Keeper.LATE);
-            render(renderer, file.out(), keeper);
+            checkpointer.begin(keep, RenderCheckpointer.LATE);
+            render(renderer, file.out(), checkpointer);
             file.commit();
-            keeper.finished();
+            checkpointer.finished();
             report(output, renderer);
         } catch (IOException e) {
             throw new Failure(ExitCode.WRITE_ERROR, "simpleray: " + output + ": cannot be written: " + e.getMessage());
@@ -173,10 +174,10 @@ final class RenderCommand implements PlainCommand {
     }
 
     /** Writes each row as soon as it can be, and lets go of it. What cannot be written ends the rendering. */
-    private void render(Renderer renderer, OutputStream out, Keeper keeper) throws IOException {
+    private void render(Renderer renderer, OutputStream out, RenderCheckpointer checkpointer) throws IOException {
         Picture rendered = renderer.picture();
-        PngWriter png = new PngWriter(rendered, out, keeper);
-        ProgressPrinter printer = work.printer(new Progress(rendered.height(), start, keeper.known()), main.err());
+        PngWriter png = new PngWriter(rendered, out, checkpointer);
+        ProgressPrinter printer = work.printer(new Progress(rendered.height(), start, checkpointer.known()), main.err());
         try {
             renderer.render(new RenderListener() {
                 @Override

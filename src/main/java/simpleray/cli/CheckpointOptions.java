@@ -4,7 +4,7 @@ import java.nio.file.Path;
 import picocli.CommandLine.Option;
 
 /** The options that say what becomes of the rows of a rendering that is ended before its picture is whole. */
-final class KeepOptions {
+final class CheckpointOptions {
     /** What the checkpoint of a picture is called unless it is named: this behind the picture's name. */
     private static final String PART = ".part";
 

@@ -15,7 +15,7 @@ import simpleray.scene.Scene;
 import simpleray.scene.SimpleCamera;
 
 @Timeout(value = 60, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
-class KeeperTest {
+class RenderCheckpointerTest {
     @TempDir
     Path folder;
 
@@ -25,17 +25,18 @@ class KeeperTest {
         Path path = folder.resolve("picture.part");
         ByteArrayOutputStream err = new ByteArrayOutputStream();
         Renderer renderer = new Renderer(new Scene(), new SimpleCamera(4, 2), new RenderSettings());
-        Keeper.Notes notes = new Keeper.Notes(new PrintStream(err, true, StandardCharsets.UTF_8), false, new String[0]);
+        RenderCheckpointer.Notes notes =
+            new RenderCheckpointer.Notes(new PrintStream(err, true, StandardCharsets.UTF_8), false, new String[0]);
 
-        try (Keeper keeper = new Keeper(path, renderer, () -> {
+        try (RenderCheckpointer checkpointer = new RenderCheckpointer(path, renderer, () -> {
             throw new OutOfMemoryError("made up");
         }, notes)) {
-            keeper.begin(new KeepOptions(), 0);
+            checkpointer.begin(new CheckpointOptions(), 0);
             while (err.size() == 0) {
                 Thread.sleep(1);
             }
-            keeper.row(0, new byte[12], 0);
-            keeper.finished();
+            checkpointer.row(0, new byte[12], 0);
+            checkpointer.finished();
         }
 
         assertThat(err.toString(StandardCharsets.UTF_8))

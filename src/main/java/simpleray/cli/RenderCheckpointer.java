@@ -26,7 +26,7 @@ import simpleray.text.FileInUseException;
  * Keeps the finished rows of a rendering in a {@link Checkpoint}, so that it can go on if it is ended. Until the time comes to begin
  * a checkpoint, rows are kept in memory, and no class is loaded that only a checkpoint needs. Any thread may call.
  */
-final class Keeper implements RowSink, Closeable {
+final class RenderCheckpointer implements RowSink, Closeable {
     /** After so many milliseconds a checkpoint is begun, if none was asked for. */
     static final long LATE = 10_000;
     /** How long the end of the program waits for the rendering to end, in milliseconds. */
@@ -44,7 +44,7 @@ final class Keeper implements RowSink, Closeable {
     private final Thread hook = new Thread("simpleray-interrupted") {
         @Override
         public void run() {
-            Keeper.this.interrupted();
+            RenderCheckpointer.this.interrupted();
         }
     };
     private final CountDownLatch closed = new CountDownLatch(1);
@@ -97,7 +97,7 @@ final class Keeper implements RowSink, Closeable {
      * @param identity finds what decides the picture's pixels; asked only if need be
      * @param notes where messages go
      */
-    Keeper(Path path, Renderer renderer, Supplier<Map<String, String>> identity, Notes notes) {
+    RenderCheckpointer(Path path, Renderer renderer, Supplier<Map<String, String>> identity, Notes notes) {
         this.path = path;
         this.renderer = renderer;
         this.identity = identity;
@@ -111,7 +111,7 @@ final class Keeper implements RowSink, Closeable {
      * @param late after how many milliseconds a checkpoint is begun that was not asked for
      * @throws Failure if the checkpoint is of another picture, or cannot be used
      */
-    void begin(KeepOptions options, long late) throws Failure {
+    void begin(CheckpointOptions options, long late) throws Failure {
         this.late = late;
         if (path != null) {
             try {
@@ -127,7 +127,7 @@ final class Keeper implements RowSink, Closeable {
         Runtime.getRuntime().addShutdownHook(hook);
     }
 
-    private void begin(KeepOptions options) throws IOException, Failure {
+    private void begin(CheckpointOptions options) throws IOException, Failure {
         boolean there = Files.exists(path);
         if (!there && options.resumes()) {
             notes.say(path + " is not there: beginning with the first row");
@@ -155,7 +155,7 @@ final class Keeper implements RowSink, Closeable {
     }
 
     /** Looks at a file that is there, and goes on with it if that is asked for. {@return whether a new one may take its place} */
-    private boolean isFree(KeepOptions options) throws IOException, Failure {
+    private boolean isFree(CheckpointOptions options) throws IOException, Failure {
         Map<String, String> was;
         try {
             was = Checkpoint.identity(path);
