@@ -53,7 +53,7 @@ final class KindTable<T extends SceneElement> {
     }
 
     /** Reads n things, each by its code and then by itself, and notes their lines. The list grows as they come: n may be a lie. */
-    List<T> readAll(SceneReader is, int n, Lines places) throws IOException {
+    List<T> readAll(SceneReader is, int n, LineTable places) throws IOException {
         ArrayList<T> all = new ArrayList<>();
         readAll(is, n, places, all);
         return all;
@@ -61,7 +61,7 @@ final class KindTable<T extends SceneElement> {
 
     /** Reads n things into a list, which holds those before the first that cannot be read. */
     @SuppressWarnings("NonApiType")                            // no other list can be told how much room it will need
-    void readAll(SceneReader is, int n, Lines places, ArrayList<T> all) throws IOException {
+    void readAll(SceneReader is, int n, LineTable places, ArrayList<T> all) throws IOException {
         String type = "type (" + list() + "; " + counted(n) + " announced)";
         int room = 0;
         for (int i = 1; i <= n; i++) {

@@ -48,7 +48,7 @@ final class Recount {
 
     /** {@return the error that these numbers are the right ones; the first error if they are not} */
     private SceneFormatException attempt(SceneFormatException first, Integer objects, Integer lights) throws IOException {
-        Counts counts = new Counts(objects, lights);
+        CountOverrides counts = new CountOverrides(objects, lights);
         Scene scene = new Scene();
         try (SceneReader is = open()) {
             scene.read(is, counts);
@@ -63,7 +63,7 @@ final class Recount {
         ArrayList<Object> objects = new ArrayList<>();
         try (SceneReader is = open()) {
             is.readInt();
-            ObjectKind.TABLE.readAll(is, Integer.MAX_VALUE, new Lines(), objects);
+            ObjectKind.TABLE.readAll(is, Integer.MAX_VALUE, new LineTable(), objects);
         } catch (SceneFormatException e) {
             return objects.size();                            // as a rule: no file holds so many
         }
@@ -76,11 +76,11 @@ final class Recount {
         boolean ambient = false;
         try (SceneReader is = open()) {
             int announced = is.readInt();
-            ObjectKind.TABLE.readAll(is, objects == null ? announced : objects, new Lines());
+            ObjectKind.TABLE.readAll(is, objects == null ? announced : objects, new LineTable());
             new Colour().read(is);
             is.readInt();
             ambient = true;
-            LightKind.TABLE.readAll(is, Integer.MAX_VALUE, new Lines(), lights);
+            LightKind.TABLE.readAll(is, Integer.MAX_VALUE, new LineTable(), lights);
         } catch (SceneFormatException e) {
             return ambient ? lights.size() : -1;
         }

@@ -25,8 +25,8 @@ public final class Scene {
     private final List<Light> lights = new ArrayList<>();
     private int numberObjects;
     private int numberLights;
-    private Lines objectLines = new Lines();
-    private Lines lightLines = new Lines();
+    private LineTable objectLines = new LineTable();
+    private LineTable lightLines = new LineTable();
 
     /** Creates an empty, dark scene. */
     public Scene() {
@@ -178,14 +178,14 @@ public final class Scene {
      * @throws IOException if it cannot be read; {@link simpleray.text.SceneFormatException} with up to 20 errors if it is no scene
      */
     public void read(SceneReader is) throws IOException {
-        read(is, new Counts());
+        read(is, new CountOverrides());
     }
 
     /** Reads a scene that has as many objects and lights as it announces, or others. */
-    void read(SceneReader is, Counts counts) throws IOException {
+    void read(SceneReader is, CountOverrides counts) throws IOException {
         is.tolerate(MOST_ERRORS);
-        Lines newObjectLines = new Lines();
-        Lines newLightLines = new Lines();
+        LineTable newObjectLines = new LineTable();
+        LineTable newLightLines = new LineTable();
         int n = counts.objects(is, is.readInt("the number of objects", 0, Integer.MAX_VALUE));
         List<Object> newObjects = ObjectKind.TABLE.readAll(is, n, newObjectLines);
         is.enter("the scene's ambient");

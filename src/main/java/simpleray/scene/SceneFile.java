@@ -9,8 +9,8 @@ import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import simpleray.text.Problem;
 import simpleray.text.PngText;
+import simpleray.text.Problem;
 import simpleray.text.SceneBytes;
 import simpleray.text.SceneFormatException;
 import simpleray.text.SceneReader;
@@ -180,7 +180,7 @@ public record SceneFile(Scene scene, List<Problem> warnings, SourceText text) {
 
     /** Reads a scene. If its counts do not fit, and it can be read again, the error tells the right ones. */
     private static Scene read(SceneReader reader, Again again) throws IOException {
-        Counts counts = new Counts();
+        CountOverrides counts = new CountOverrides();
         Scene scene = new Scene();
         try {
             scene.read(reader, counts);

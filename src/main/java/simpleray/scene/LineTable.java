@@ -3,7 +3,7 @@ package simpleray.scene;
 import java.util.Arrays;
 
 /** The lines of a scene's file on which the things of a list begin, four bytes for each. <em>Mutable.</em> */
-final class Lines {
+final class LineTable {
     private static final int ROOM = 16;
 
     private int[] lines = {};

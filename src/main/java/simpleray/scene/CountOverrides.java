@@ -4,7 +4,7 @@ import java.io.IOException;
 import simpleray.text.SceneReader;
 
 /** How many objects and lights a scene file is to be read with, whatever numbers it announces. <em>Mutable,</em> for one reading. */
-final class Counts {
+final class CountOverrides {
     /** The number of objects that was announced was read. */
     boolean announced;
     /** Behind the last light, and the settings, the file ended. */
@@ -15,12 +15,12 @@ final class Counts {
     private int changed;
 
     /** Those that the file announces. */
-    Counts() {
+    CountOverrides() {
         this(null, null);
     }
 
     /** Others: a number, or null for the one that the file announces. */
-    Counts(Integer objects, Integer lights) {
+    CountOverrides(Integer objects, Integer lights) {
         this.objects = objects;
         this.lights = lights;
     }
