@@ -134,7 +134,7 @@ final class FiguresCommand implements Callable<Integer> {
         }
         for (int i = 0; i < sheets.size(); i++) {
             Sheet sheet = sheets.get(i);
-            Memory.require("a sheet of " + sheet.width() + 'x' + sheet.height(), Picture.bytesNeeded(sheet.width(), sheet.height())
+            HeapCheck.require("a sheet of " + sheet.width() + 'x' + sheet.height(), Picture.bytesNeeded(sheet.width(), sheet.height())
                 + figures.get(i).labels.size() * Picture.bytesNeeded(width, height));
         }
         return sheets;

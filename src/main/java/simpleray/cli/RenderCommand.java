@@ -117,7 +117,7 @@ final class RenderCommand implements PlainCommand {
         Renderer renderer = renderer(request, read.scene());
         Picture asked = renderer.picture();
         asked.tell(Provenance.of(request, read));
-        Memory.require("a picture of " + asked.width() + 'x' + asked.height(),
+        HeapCheck.require("a picture of " + asked.width() + 'x' + asked.height(),
             renderer.bytesNeeded() + PngWriter.bytesNeeded(asked.width(), renderer.rowsAhead()));
         Supplier<Map<String, String>> identity = new Supplier<>() {
             @Override

@@ -92,7 +92,7 @@ final class VerifyCommand implements Callable<Integer> {
 
     private int compare(Renderer renderer, PictureScene told) throws IOException, Failure {
         Picture rendered = renderer.picture();
-        Memory.require("a picture of " + rendered.width() + 'x' + rendered.height(),
+        HeapCheck.require("a picture of " + rendered.width() + 'x' + rendered.height(),
             renderer.bytesNeeded() + 3L * rendered.width() * renderer.rowsAhead());
         try (PngRows rows = new PngRows(new BufferedInputStream(new FileInputStream(picture)), picture)) {
             if (rows.width() != rendered.width() || rows.height() != rendered.height()) {

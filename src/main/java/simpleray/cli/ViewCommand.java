@@ -79,7 +79,7 @@ final class ViewCommand implements PlainCommand {
             throw new Failure(ExitCode.NO_DISPLAY, "simpleray: there is no display for a window; simpleray render works without one");
         }
         Picture asked = request.renderer(new Scene()).picture();
-        Memory.require("a picture of " + asked.width() + 'x' + asked.height(),
+        HeapCheck.require("a picture of " + asked.width() + 'x' + asked.height(),
             Picture.bytesNeeded(asked.width(), asked.height()) + SCREEN * asked.width() * asked.height());
         Viewer.view(source(), request, look);
         return ExitCode.DONE;

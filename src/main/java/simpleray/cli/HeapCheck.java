@@ -3,11 +3,11 @@ package simpleray.cli;
 import java.util.Locale;
 
 /** Whether there is room for what is about to be made. */
-final class Memory {
+final class HeapCheck {
     /** Memory that everything but pictures may take. */
     private static final long SLACK = 16L << 20;
 
-    private Memory() {
+    private HeapCheck() {
     }
 
     /**
