@@ -2,8 +2,11 @@ package simpleray;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.IOException;
+import java.nio.file.Files;
 import java.util.List;
 import java.util.Set;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 
@@ -32,5 +35,16 @@ class SourcesTest {
     @Test
     void noTopLevelClassNameOccursTwice() {
         assertThat(MAIN).extracting(SourceFile::className).filteredOn(name -> !name.equals("package-info")).doesNotHaveDuplicates();
+    }
+
+    /** The tables of docs/architecture.md from "Where is what" on: questions and terms, each with its classes. */
+    @Test
+    void theGlossaryNamesClassesThatExist() throws IOException {
+        String page = Files.readString(Project.root().resolve("docs/architecture.md"));
+        Set<String> named = Pattern.compile("(?m)^\\|.*").matcher(page.substring(page.indexOf("### Where is what"))).results()
+            .flatMap(row -> Pattern.compile("`([A-Z]\\w*)").matcher(row.group()).results()).map(name -> name.group(1))
+            .collect(Collectors.toSet());
+
+        assertThat(named).isNotEmpty().isSubsetOf(MAIN.stream().map(SourceFile::className).collect(Collectors.toSet()));
     }
 }
