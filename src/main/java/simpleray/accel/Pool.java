@@ -11,7 +11,7 @@ import java.util.concurrent.RecursiveTask;
  * memory has come to its end it cannot, and would wait for ever.
  */
 public final class Pool implements AutoCloseable, Thread.UncaughtExceptionHandler {
-    private static final int MOST_THREADS = 64;
+    private static final int MAX_THREADS = 64;
     /** So many things are worth a task of their own. */
     private static final int TASK = 1 << 15;
     /** So many milliseconds are tasks waited for whose outcome nobody wants any more. */
@@ -29,7 +29,7 @@ public final class Pool implements AutoCloseable, Thread.UncaughtExceptionHandle
      * @param threads how many there may be
      */
     public Pool(int threads) {
-        most = Math.min(threads, MOST_THREADS);
+        most = Math.min(threads, MAX_THREADS);
     }
 
     private ForkJoinPool threads() {

@@ -10,13 +10,13 @@ import java.util.concurrent.atomic.AtomicLong;
 public final class UniformGrid {
     /** So many cells for each object. */
     private static final double CELLS_AN_OBJECT = 4;
-    private static final int MOST_CELLS_A_SIDE = 1024;
+    private static final int MAX_CELLS_A_SIDE = 1024;
     /** An axis along which all objects together are thinner than this share of the longest counts as that thick. */
-    private static final double LEAST_THICKNESS = 1e-4;
+    private static final double MIN_THICKNESS = 1e-4;
     private static final long LISTED_AN_OBJECT = 24;
     private static final long LISTED_ANYWAY = 1 << 12;
     /** How many objects may have their middles in the cell of an object, itself among them, on the average. */
-    private static final double MOST_IN_CELL = 4;
+    private static final double MAX_IN_CELL = 4;
 
     /** The middle of all boxes. */
     final double[] middle;
@@ -61,7 +61,7 @@ public final class UniformGrid {
     }
 
     private void lay() {
-        Arrays.fill(half, LEAST_THICKNESS);
+        Arrays.fill(half, MIN_THICKNESS);
         for (int i = 0; i < bounds.sides.length; i++) {
             int axis = i % 3;
             half[axis] = Math.max(half[axis], Math.abs(bounds.sides[i]));
@@ -69,7 +69,7 @@ public final class UniformGrid {
         double volume = 8 * half[0] * half[1] * half[2];
         double wanted = Math.cbrt(volume / (CELLS_AN_OBJECT * bounds.count()));
         for (int axis = 0; axis < 3; axis++) {
-            cells[axis] = (int) Math.max(1, Math.min(MOST_CELLS_A_SIDE, Math.rint(2 * half[axis] / wanted)));
+            cells[axis] = (int) Math.max(1, Math.min(MAX_CELLS_A_SIDE, Math.rint(2 * half[axis] / wanted)));
             size[axis] = 2 * half[axis] / cells[axis];
         }
     }
@@ -118,7 +118,7 @@ public final class UniformGrid {
             crowd += (double) ends[i] * ends[i];
             ends[i] += ends[i - 1];
         }
-        if (!anyway && (listed.get() > LISTED_AN_OBJECT * n + LISTED_ANYWAY || crowd > MOST_IN_CELL * n)) {
+        if (!anyway && (listed.get() > LISTED_AN_OBJECT * n + LISTED_ANYWAY || crowd > MAX_IN_CELL * n)) {
             return false;
         }
         int[] order = new int[n];

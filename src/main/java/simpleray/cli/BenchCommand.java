@@ -36,7 +36,7 @@ final class BenchCommand implements Callable<Integer> {
     private static final int MESH_SIZE = 200_000;
     private static final int QUICK_MESH_SIZE = 2000;
     /** With all objects asked in turn a picture has so many pixels that about so many are asked by the rays from the eye. */
-    private static final double MOST_ASKED = 2e7;
+    private static final double MAX_ASKED = 2e7;
     private static final int SIDE = 400;
     private static final int QUICK_SIDE = 40;
     private static final int DEPTH = 5;
@@ -122,7 +122,7 @@ final class BenchCommand implements Callable<Integer> {
         Run run = median(scene, settings, side());
         double ready = run(maker.get(), settings, side()).ready;   // of a new scene: a mesh keeps its tree
         long rays = run.stats.rays();
-        int none = (int) Math.min(side(), Math.sqrt(MOST_ASKED / scene.getNumberObjects()));
+        int none = (int) Math.min(side(), Math.sqrt(MAX_ASKED / scene.getNumberObjects()));
         long noneRays = run(scene, settings, none).stats.rays();   // which are not counted where all objects are asked
         double seconds = median(scene, new RenderSettings(Stage.FINAL, DEPTH, 1, Accel.NONE, all, null), none).seconds;
         say("%-30s   %13.3f   %9.3f   %7d   %8.0f   %11.1f   %9.0f (%d x %d)", name, ready, run.seconds, rays, run.seconds / rays * 1e9,

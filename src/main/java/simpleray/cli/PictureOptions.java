@@ -15,15 +15,15 @@ import simpleray.text.Numbers;
 /** The options that say which picture is made of a scene. What they say wins over the scene file. */
 final class PictureOptions {
     @Option(names = "--size", paramLabel = "WxH",
-        description = "Width and height in pixels, 1 to " + SceneSettings.MOST_RESOLUTION + " each (default: 200x200).")
+        description = "Width and height in pixels, 1 to " + SceneSettings.MAX_RESOLUTION + " each (default: 200x200).")
     private Resolution size;
 
     @Option(names = "--depth", paramLabel = "N",
-        description = "The most reflections of a ray, 0 to " + SceneSettings.MOST_DEPTH + " (default: 10).")
+        description = "The most reflections of a ray, 0 to " + SceneSettings.MAX_DEPTH + " (default: 10).")
     private Integer depth;
 
     @Option(names = "--samples", paramLabel = "N",
-        description = "N x N samples a pixel, N from 1 to " + SceneSettings.MOST_SAMPLES + " (default: 1), for smooth edges; or adaptive: "
+        description = "N x N samples a pixel, N from 1 to " + SceneSettings.MAX_SAMPLES + " (default: 1), for smooth edges; or adaptive: "
             + "as good as 4, but only where it is needed.")
     private String samples;
 
@@ -80,9 +80,9 @@ final class PictureOptions {
         asked.background = background;
         boolean adaptive = samples != null && samples.toLowerCase(Locale.ROOT).equals("adaptive");
         if (samples != null && !adaptive) {
-            Long n = Numbers.parseInteger(samples, 1, SceneSettings.MOST_SAMPLES);
+            Long n = Numbers.parseInteger(samples, 1, SceneSettings.MAX_SAMPLES);
             if (n == null) {
-                throw Failure.usage("--samples must be 1 to " + SceneSettings.MOST_SAMPLES + " or adaptive, and is '" + samples + "'");
+                throw Failure.usage("--samples must be 1 to " + SceneSettings.MAX_SAMPLES + " or adaptive, and is '" + samples + "'");
             }
             asked.samples = n.intValue();
         }

@@ -33,7 +33,7 @@ final class RenderCheckpointer implements RowSink, Closeable {
     private static final long PATIENCE = 1_200;
     private static final long SHORT_PATIENCE = 400;
     /** Rows of so many bytes are kept in memory at most; those above are rendered again if need be. */
-    private static final long MOST_EARLY = 32L << 20;
+    private static final long MAX_EARLY = 32L << 20;
 
     private final Path path;                                  // null if there is nowhere to keep rows
     private final Renderer renderer;
@@ -259,7 +259,7 @@ final class RenderCheckpointer implements RowSink, Closeable {
             } catch (IOException e) {
                 giveUp(e);
             }
-        } else if (early != null && earlyBytes + length <= MOST_EARLY) {
+        } else if (early != null && earlyBytes + length <= MAX_EARLY) {
             earlyBytes += length;
             early.add(new Early(y, new SoftReference<>(Arrays.copyOfRange(levels, from, from + length))));
         }

@@ -18,10 +18,10 @@ final class Values {
     /** Reads {@code 640x480}. */
     static Resolution size(String value) {
         int x = Math.max(value.indexOf('x'), value.indexOf('X'));
-        Long width = x < 0 ? null : Numbers.parseInteger(value.substring(0, x), 1, SceneSettings.MOST_RESOLUTION);
-        Long height = x < 0 ? null : Numbers.parseInteger(value.substring(x + 1), 1, SceneSettings.MOST_RESOLUTION);
+        Long width = x < 0 ? null : Numbers.parseInteger(value.substring(0, x), 1, SceneSettings.MAX_RESOLUTION);
+        Long height = x < 0 ? null : Numbers.parseInteger(value.substring(x + 1), 1, SceneSettings.MAX_RESOLUTION);
         if (width == null || height == null) {
-            throw expected("WxH such as 640x480, 1 to " + SceneSettings.MOST_RESOLUTION + " each", value);
+            throw expected("WxH such as 640x480, 1 to " + SceneSettings.MAX_RESOLUTION + " each", value);
         }
         return new Resolution(width.intValue(), height.intValue());
     }

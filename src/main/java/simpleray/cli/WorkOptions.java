@@ -8,10 +8,10 @@ import simpleray.render.Progress;
 
 /** The options that say how a command works without a window, and what it says meanwhile. The picture does not depend on them. */
 final class WorkOptions {
-    private static final int MOST_THREADS = 1024;
+    private static final int MAX_THREADS = 1024;
 
     @Option(names = "--threads", paramLabel = "N",
-        description = "How many threads work, 1 to " + MOST_THREADS + " (default: one for each processor). The picture is the same.")
+        description = "How many threads work, 1 to " + MAX_THREADS + " (default: one for each processor). The picture is the same.")
     private Integer threads;
 
     @Option(names = "--accel", paramLabel = "HOW", defaultValue = "auto",
@@ -47,8 +47,8 @@ final class WorkOptions {
      * @throws Failure if it is out of its range
      */
     int threads() throws Failure {
-        if (threads != null && (threads < 1 || threads > MOST_THREADS)) {
-            throw Failure.usage("--threads must be 1 to " + MOST_THREADS + ", and is " + threads);
+        if (threads != null && (threads < 1 || threads > MAX_THREADS)) {
+            throw Failure.usage("--threads must be 1 to " + MAX_THREADS + ", and is " + threads);
         }
         return threads == null ? Runtime.getRuntime().availableProcessors() : threads;
     }

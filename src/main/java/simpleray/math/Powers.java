@@ -3,7 +3,7 @@ package simpleray.math;
 /** Powers that are the same on every machine. */
 public final class Powers {
     /** Up to here repeated products are as good as a general power, and much faster. */
-    private static final int MOST_FACTORS = 64;
+    private static final int MAX_FACTORS = 64;
 
     private Powers() {
     }
@@ -18,7 +18,7 @@ public final class Powers {
      */
     public static double power(double base, double exponent) {
         int factors = (int) exponent;
-        if (factors != exponent || factors > MOST_FACTORS) {
+        if (factors != exponent || factors > MAX_FACTORS) {
             return StrictMath.pow(base, exponent);
         }
         double product = 1;

@@ -7,8 +7,8 @@ import simpleray.text.SceneWriter;
 /** A direction or an offset in space (thesis, chapter 5). <em>Mutable.</em> */
 public final class Vector {
     /** Squared lengths outside these have lost digits, or all of them, to underflow or overflow. */
-    private static final double LEAST_SQUARE = 0x1p-960;
-    private static final double MOST_SQUARE = 0x1p+960;
+    private static final double MIN_SQUARE = 0x1p-960;
+    private static final double MAX_SQUARE = 0x1p+960;
 
     /** The x component, to the right. */
     public double x;
@@ -286,7 +286,7 @@ public final class Vector {
      * @return whether neither underflow nor overflow took some
      */
     public static boolean isPlain(double square) {
-        return square >= LEAST_SQUARE && square <= MOST_SQUARE;
+        return square >= MIN_SQUARE && square <= MAX_SQUARE;
     }
 
     /** Gives this vector the length 1; a zero vector stays zero. */

@@ -25,9 +25,9 @@ import simpleray.text.SceneWriter;
  */
 public final class PovExporter {
     /** The most that POV-Ray lets one ask for: a ray from the eye counts too. */
-    private static final int MOST_DEPTH = 255;
+    private static final int MAX_DEPTH = 255;
     /** How many objects a warning names. */
-    private static final int MOST_NAMED = 8;
+    private static final int MAX_NAMED = 8;
 
     private final Scene scene;
     private final Camera camera;
@@ -142,9 +142,9 @@ public final class PovExporter {
         granted.headMap(common).forEach((grants, which) -> warn(which, "grants", "grant", grants
             + " reflections by shininess, and other materials " + common + ": POV-Ray has one depth for all. With --depth "
             + granted.firstKey() + " both make the same picture"));
-        if (common > MOST_DEPTH) {
-            warnings.add("POV-Ray follows " + MOST_DEPTH + " reflections at most, and here are " + common);
-            return MOST_DEPTH;
+        if (common > MAX_DEPTH) {
+            warnings.add("POV-Ray follows " + MAX_DEPTH + " reflections at most, and here are " + common);
+            return MAX_DEPTH;
         }
         return common;
     }
@@ -216,10 +216,10 @@ public final class PovExporter {
             return;
         }
         StringBuilder line = new StringBuilder(which.size() == 1 ? "object " : "objects ");
-        for (int k = 0; k < Math.min(which.size(), MOST_NAMED); k++) {
+        for (int k = 0; k < Math.min(which.size(), MAX_NAMED); k++) {
             line.append(k == 0 ? "" : ", ").append(which.get(k) + 1);
         }
-        line.append(which.size() > MOST_NAMED ? " and " + (which.size() - MOST_NAMED) + " more " : " ");
+        line.append(which.size() > MAX_NAMED ? " and " + (which.size() - MAX_NAMED) + " more " : " ");
         warnings.add(line.append(which.size() == 1 ? verb : verbs).append(' ').append(what).toString());
     }
 }

@@ -23,7 +23,7 @@ final class PovMaterial {
     /** An exponent of 0, as near as a roughness can come. */
     private static final double ROUGHEST = 1e30;
     /** POV-Ray spends no depth where a ray goes straight on: an index of 1 bends it, but too little to see. */
-    private static final double LEAST_INDEX = 1.0000001;
+    private static final double MIN_INDEX = 1.0000001;
 
     /** Whether it follows mirror rays and refracted rays. */
     final boolean follows;
@@ -95,7 +95,7 @@ final class PovMaterial {
                 clear(os, new Colour(share(transmission.r, internal.r), share(transmission.g, internal.g),
                     share(transmission.b, internal.b)));
             }
-            PovWriter.value(os, " } interior { ior ", Math.max(index, LEAST_INDEX));
+            PovWriter.value(os, " } interior { ior ", Math.max(index, MIN_INDEX));
             if (dimmed) {
                 PovWriter.colour(os, " fade_distance 1e-6 fade_power 2 fade_color ", internal);
             }

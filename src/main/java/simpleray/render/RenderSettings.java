@@ -6,8 +6,8 @@ import simpleray.scene.SceneSettings;
  * How a scene is rendered. <em>Constant.</em>
  *
  * @param stage which picture is made
- * @param depth the most reflections of a primary ray, 0 to {@link SceneSettings#MOST_DEPTH}
- * @param samples samples along each side of a pixel, 1 to {@link SceneSettings#MOST_SAMPLES}; {@link #ADAPTIVE} where they are needed
+ * @param depth the most reflections of a primary ray, 0 to {@link SceneSettings#MAX_DEPTH}
+ * @param samples samples along each side of a pixel, 1 to {@link SceneSettings#MAX_SAMPLES}; {@link #ADAPTIVE} where they are needed
  * @param accel how the nearest object is found; the picture does not depend on it
  * @param threads how many threads work, 1 or more; the picture does not depend on it
  * @param region the only piece of the camera's picture that is made; null for all of it
@@ -22,18 +22,18 @@ public record RenderSettings(Stage stage, int depth, int samples, Accel accel, i
      * Checks the ranges.
      *
      * @param stage which picture is made
-     * @param depth the most reflections of a primary ray, 0 to {@link SceneSettings#MOST_DEPTH}
-     * @param samples samples along each side of a pixel, 1 to {@link SceneSettings#MOST_SAMPLES}; or {@link #ADAPTIVE}
+     * @param depth the most reflections of a primary ray, 0 to {@link SceneSettings#MAX_DEPTH}
+     * @param samples samples along each side of a pixel, 1 to {@link SceneSettings#MAX_SAMPLES}; or {@link #ADAPTIVE}
      * @param accel how the nearest object is found
      * @param threads how many threads work, 1 or more
      * @param region the only piece that is made; null for all
      */
     public RenderSettings {
-        if (depth < 0 || depth > SceneSettings.MOST_DEPTH) {
-            throw new IllegalArgumentException("the depth must be 0 to " + SceneSettings.MOST_DEPTH + ", and is " + depth);
+        if (depth < 0 || depth > SceneSettings.MAX_DEPTH) {
+            throw new IllegalArgumentException("the depth must be 0 to " + SceneSettings.MAX_DEPTH + ", and is " + depth);
         }
-        if (samples < ADAPTIVE || samples > SceneSettings.MOST_SAMPLES) {
-            throw new IllegalArgumentException("the samples must be 1 to " + SceneSettings.MOST_SAMPLES + ", and are " + samples);
+        if (samples < ADAPTIVE || samples > SceneSettings.MAX_SAMPLES) {
+            throw new IllegalArgumentException("the samples must be 1 to " + SceneSettings.MAX_SAMPLES + ", and are " + samples);
         }
         if (threads < 1) {
             throw new IllegalArgumentException("the number of threads must be 1 or more, and is " + threads);
@@ -44,8 +44,8 @@ public record RenderSettings(Stage stage, int depth, int samples, Accel accel, i
      * Leaves it to the program how the nearest object is found.
      *
      * @param stage which picture is made
-     * @param depth the most reflections of a primary ray, 0 to {@link SceneSettings#MOST_DEPTH}
-     * @param samples samples along each side of a pixel, 1 to {@link SceneSettings#MOST_SAMPLES}; or {@link #ADAPTIVE}
+     * @param depth the most reflections of a primary ray, 0 to {@link SceneSettings#MAX_DEPTH}
+     * @param samples samples along each side of a pixel, 1 to {@link SceneSettings#MAX_SAMPLES}; or {@link #ADAPTIVE}
      * @param threads how many threads work, 1 or more
      */
     public RenderSettings(Stage stage, int depth, int samples, int threads) {

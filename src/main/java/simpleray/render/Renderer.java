@@ -21,7 +21,7 @@ import simpleray.trace.CompiledScene;
  */
 public final class Renderer {
     // On the way of a plain rendering stands no lambda, here and elsewhere: the first ones take 10 ms of each start.
-    /** Room for {@link RenderSettings#MOST_DEPTH} reflections within reflections, in bytes. */
+    /** Room for {@link RenderSettings#MAX_DEPTH} reflections within reflections, in bytes. */
     private static final long STACK = 8L << 20;
 
     /** So many rows from all over the picture are rendered first, or as many as have so many pixels, or a part of all. */

@@ -7,8 +7,8 @@ import java.util.BitSet;
  * written in order, stays little. <em>Mutable</em>; any thread may call.
  */
 final class Rows extends Hold {
-    private static final int MOST_AHEAD = 256;
-    private static final int MOST_AHEAD_A_THREAD = 4;
+    private static final int MAX_AHEAD = 256;
+    private static final int MAX_AHEAD_A_THREAD = 4;
 
     private final int height;
     private final int ahead;
@@ -25,7 +25,7 @@ final class Rows extends Hold {
 
     /** {@return how many rows may at most be begun from one that is not finished on} */
     static int ahead(int threads) {
-        return Math.max(MOST_AHEAD, MOST_AHEAD_A_THREAD * threads);
+        return Math.max(MAX_AHEAD, MAX_AHEAD_A_THREAD * threads);
     }
 
     /** {@return a row to be rendered; -1 if there is none left} May wait until rows far above are finished. */

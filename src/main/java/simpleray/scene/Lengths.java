@@ -9,9 +9,9 @@ import simpleray.text.SceneReader;
  */
 final class Lengths {
     /** The largest. */
-    static final double MOST = 1e100;
+    static final double MAX = 1e100;
     /** The largest factor of the coordinates of a mesh; scaled, they are no larger than other lengths. */
-    static final double MOST_SCALE = 1e60;
+    static final double MAX_SCALE = 1e60;
 
     private Lengths() {
     }
@@ -19,7 +19,7 @@ final class Lengths {
     /** Notes an error if one of the numbers just read, of the group that was begun, is too large. */
     static void check(SceneReader is, String what, double... lengths) throws IOException {
         for (double length : lengths) {
-            if (Math.abs(length) > MOST) {
+            if (Math.abs(length) > MAX) {
                 is.rejectGroup(what + " of numbers from -1e100 to 1e100");
                 return;
             }
@@ -30,7 +30,7 @@ final class Lengths {
     static void checkRadius(SceneReader is, double radius) throws IOException {
         if (radius <= 0) {
             is.reject("radius above 0");
-        } else if (radius > MOST) {
+        } else if (radius > MAX) {
             is.reject("radius of 1e100 or less");
         }
     }

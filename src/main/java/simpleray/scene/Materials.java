@@ -19,7 +19,7 @@ final class Materials {
 
     private static final int FIRST_SIZE = 64;
     /** So many places are looked at; a material that is not found there, which hardly happens, is not shared. */
-    private static final int MOST_PROBES = 256;
+    private static final int MAX_PROBES = 256;
     /** An odd number without a pattern in its bits: 2^64 by the golden ratio. */
     private static final long MIXER = 0x9E3779B97F4A7C15L;
 
@@ -49,7 +49,7 @@ final class Materials {
     /** {@return where an equal material is, or else where this one may go; -1 for neither} */
     private int slot(Material m) {
         int slot = (int) hash(m) & table.length - 1;
-        for (int i = 0; i < MOST_PROBES; i++) {
+        for (int i = 0; i < MAX_PROBES; i++) {
             if (table[slot] == null || m.isSame(table[slot])) {
                 return slot;
             }

@@ -274,9 +274,9 @@ public final class Mesh extends Object {
         scale = is.readDouble("scale");
         if (scale == 0) {
             is.reject("scale other than 0");
-        } else if (Math.abs(scale) > Lengths.MOST_SCALE) {
+        } else if (Math.abs(scale) > Lengths.MAX_SCALE) {
             is.reject("scale from -1e60 to 1e60");
-        } else if (largest(mesh.box) * Math.abs(scale) * (1 - ROUNDINGS) > Lengths.MOST) {
+        } else if (largest(mesh.box) * Math.abs(scale) * (1 - ROUNDINGS) > Lengths.MAX) {
             is.reject("scale that leaves the mesh's coordinates from -1e100 to 1e100");
         }
         readMaterial(is);

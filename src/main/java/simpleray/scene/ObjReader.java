@@ -173,7 +173,7 @@ final class ObjReader {
         int word = at;
         double value = numerals.readDouble(bytes, word);
         at = numerals.end();
-        return Math.abs(value) <= Lengths.MOST ? value : readUnusualNumber(word, owner, number, axis);
+        return Math.abs(value) <= Lengths.MAX ? value : readUnusualNumber(word, owner, number, axis);
     }
 
     private double readUnusualNumber(int begin, String owner, int number, char axis) throws SceneFormatException {
@@ -181,7 +181,7 @@ final class ObjReader {
         skipWord();
         String word = lines.text(begin, at);
         double value = Numbers.parseDouble(word);
-        if (Math.abs(value) <= Lengths.MOST) {
+        if (Math.abs(value) <= Lengths.MAX) {
             return value;
         }
         String why = Double.isNaN(value) ? "" : " (beyond 1e100, the largest coordinate)";

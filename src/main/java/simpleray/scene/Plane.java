@@ -88,7 +88,7 @@ public final class Plane extends Object {
         Directions.read(is, "normal", normal);
         Lengths.check(is, "normal", normal.x, normal.y, normal.z);
         constant = is.readDouble("constant");
-        if (Math.abs(constant) > Lengths.MOST) {
+        if (Math.abs(constant) > Lengths.MAX) {
             is.reject("constant from -1e100 to 1e100");
         }
         readMaterial(is);

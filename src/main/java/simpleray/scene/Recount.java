@@ -12,7 +12,7 @@ import simpleray.text.SceneReader;
  */
 final class Recount {
     /** A longer file is not read again: it takes time, and nobody counts its objects by hand. */
-    static final int MOST_BYTES = 1 << 18;
+    static final int MAX_BYTES = 1 << 18;
 
     /** The last thing that seems to be one may be what follows them: an ambient light of 0 0 0 begins like a sphere. */
     private static final int BACK = 1;

@@ -15,7 +15,7 @@ import simpleray.text.SceneWriter;
  */
 public final class Scene {
     /** Reading ends at this many errors. */
-    private static final int MOST_ERRORS = 20;
+    private static final int MAX_ERRORS = 20;
     /** The ambient light that falls on every object alike, GA. */
     public Colour ambient = new Colour();
     /** What the scene's file, or who renders it, asks of camera and renderer; not null. */
@@ -183,7 +183,7 @@ public final class Scene {
 
     /** Reads a scene that has as many objects and lights as it announces, or others. */
     void read(SceneReader is, CountOverrides counts) throws IOException {
-        is.tolerate(MOST_ERRORS);
+        is.tolerate(MAX_ERRORS);
         LineTable newObjectLines = new LineTable();
         LineTable newLightLines = new LineTable();
         int n = counts.objects(is, is.readInt("the number of objects", 0, Integer.MAX_VALUE));

@@ -156,7 +156,7 @@ public record SceneFile(Scene scene, List<Problem> warnings, SourceText text) {
         Scene scene = read(reader, new Again() {
             @Override
             public Recount get() throws IOException {
-                byte[] text = in.rest(Recount.MOST_BYTES);
+                byte[] text = in.rest(Recount.MAX_BYTES);
                 return text == null ? null : new Recount(() -> new SceneReader(new ByteArrayInputStream(text), name, folder), reach);
             }
         });

@@ -19,11 +19,11 @@ import simpleray.text.Span;
  */
 public final class SceneSettings {
     /** The longest side of a picture in pixels. */
-    public static final int MOST_RESOLUTION = 65535;
+    public static final int MAX_RESOLUTION = 65535;
     /** The most reflections of a primary ray; each takes a piece of a thread's stack. */
-    public static final int MOST_DEPTH = 1000;
+    public static final int MAX_DEPTH = 1000;
     /** The most samples of a pixel, along each side. */
-    public static final int MOST_SAMPLES = 16;
+    public static final int MAX_SAMPLES = 16;
 
     private static final Set<String> KEYWORDS = Set.of("background", "window", "cop", "camera", "resolution", "depth", "samples");
 
@@ -37,9 +37,9 @@ public final class SceneSettings {
     public PerspectiveCamera.Pose camera;
     /** The size of the picture. */
     public Resolution resolution;
-    /** The most reflections of a primary ray, 0 to {@link #MOST_DEPTH}. */
+    /** The most reflections of a primary ray, 0 to {@link #MAX_DEPTH}. */
     public Integer depth;
-    /** Samples along each side of a pixel, 1 to {@link #MOST_SAMPLES}. */
+    /** Samples along each side of a pixel, 1 to {@link #MAX_SAMPLES}. */
     public Integer samples;
 
     /** Where in the file that was read each keyword stands with its values. */
@@ -65,7 +65,7 @@ public final class SceneSettings {
     /**
      * The size of a picture.
      *
-     * @param width in pixels, 1 to {@link #MOST_RESOLUTION}
+     * @param width in pixels, 1 to {@link #MAX_RESOLUTION}
      * @param height in pixels, likewise
      */
     public record Resolution(int width, int height) {
@@ -189,10 +189,10 @@ public final class SceneSettings {
             }
             case "camera" -> camera = readCamera(is);
             case "resolution" -> resolution = new Resolution(
-                is.readInt("width from 1 to " + MOST_RESOLUTION, 1, MOST_RESOLUTION),
-                is.readInt("height from 1 to " + MOST_RESOLUTION, 1, MOST_RESOLUTION));
-            case "depth" -> depth = is.readInt("number from 0 to " + MOST_DEPTH, 0, MOST_DEPTH);
-            default -> samples = is.readInt("number from 1 to " + MOST_SAMPLES, 1, MOST_SAMPLES);
+                is.readInt("width from 1 to " + MAX_RESOLUTION, 1, MAX_RESOLUTION),
+                is.readInt("height from 1 to " + MAX_RESOLUTION, 1, MAX_RESOLUTION));
+            case "depth" -> depth = is.readInt("number from 0 to " + MAX_DEPTH, 0, MAX_DEPTH);
+            default -> samples = is.readInt("number from 1 to " + MAX_SAMPLES, 1, MAX_SAMPLES);
         }
     }
 

@@ -29,7 +29,7 @@ final class Decimal {
         if (digits == 0) {
             return 0;
         }
-        return power < -Fives.MOST || power > Fives.MOST ? Double.NaN : byProduct(digits, power);
+        return power < -Fives.MAX || power > Fives.MAX ? Double.NaN : byProduct(digits, power);
     }
 
     /**
@@ -40,9 +40,9 @@ final class Decimal {
     private static double byProduct(long digits, int power) {
         int zeros = Long.numberOfLeadingZeros(digits);
         long w = digits << zeros;
-        long high = Fives.HIGH[power + Fives.MOST];
+        long high = Fives.HIGH[power + Fives.MAX];
         long low = w * high;
-        long lo = low + multiplyHigh(w, Fives.LOW[power + Fives.MOST]);
+        long lo = low + multiplyHigh(w, Fives.LOW[power + Fives.MAX]);
         long hi = multiplyHigh(w, high) + (Long.compareUnsigned(lo, low) < 0 ? 1 : 0);
 
         int below = Long.SIZE - FRACTION_BITS - 1 - (hi < 0 ? 0 : 1);      // the bits of hi that are to be rounded away
@@ -52,7 +52,7 @@ final class Decimal {
             return Double.NaN;
         }
         long mantissa = (hi >>> below) + (rest >= half ? 1 : 0);
-        long exponent = (long) Fives.EXPONENT[power + Fives.MOST] + power + Long.SIZE - zeros + below + FRACTION_BITS + BIAS;
+        long exponent = (long) Fives.EXPONENT[power + Fives.MAX] + power + Long.SIZE - zeros + below + FRACTION_BITS + BIAS;
         return Double.longBitsToDouble((exponent << FRACTION_BITS) + mantissa - (1L << FRACTION_BITS));
     }
 
@@ -61,22 +61,22 @@ final class Decimal {
         return Math.multiplyHigh(a, b) + ((a >> (Long.SIZE - 1)) & b) + ((b >> (Long.SIZE - 1)) & a);
     }
 
-    /** The powers of five, 5^k = (HIGH + LOW / 2^64) · 2^EXPONENT at index k + MOST, cut off there; made when first they are needed. */
+    /** The powers of five, 5^k = (HIGH + LOW / 2^64) · 2^EXPONENT at index k + MAX, cut off there; made when first they are needed. */
     private static final class Fives {
-        static final int MOST = 64;
-        static final long[] HIGH = new long[2 * MOST + 1];
-        static final long[] LOW = new long[2 * MOST + 1];
-        static final int[] EXPONENT = new int[2 * MOST + 1];
+        static final int MAX = 64;
+        static final long[] HIGH = new long[2 * MAX + 1];
+        static final long[] LOW = new long[2 * MAX + 1];
+        static final int[] EXPONENT = new int[2 * MAX + 1];
 
         static {
-            for (int k = -MOST; k <= MOST; k++) {
+            for (int k = -MAX; k <= MAX; k++) {
                 BigInteger power = BigInteger.valueOf(5).pow(Math.abs(k));
                 int exponent = (k < 0 ? 1 - power.bitLength() : power.bitLength()) - Long.SIZE;
                 int shift = Long.SIZE - exponent;
                 BigInteger bits = k < 0 ? BigInteger.ONE.shiftLeft(shift).divide(power) : power.shiftLeft(shift);
-                HIGH[k + MOST] = bits.shiftRight(Long.SIZE).longValue();
-                LOW[k + MOST] = bits.longValue();
-                EXPONENT[k + MOST] = exponent;
+                HIGH[k + MAX] = bits.shiftRight(Long.SIZE).longValue();
+                LOW[k + MAX] = bits.longValue();
+                EXPONENT[k + MAX] = exponent;
             }
         }
     }

@@ -8,10 +8,10 @@ package simpleray.text;
  * only whether one is not 0.
  */
 final class LongNumber {
-    private static final int MOST_DIGITS = 1000;
+    private static final int MAX_DIGITS = 1000;
     /** Beyond all exponents that make a difference. */
-    private static final long MOST_EXPONENT = 100_000;
-    private static final long MOST_WRITTEN = Long.MAX_VALUE / 100;
+    private static final long MAX_EXPONENT = 100_000;
+    private static final long MAX_WRITTEN = Long.MAX_VALUE / 100;
 
     private final StringBuilder digits = new StringBuilder();
     private boolean negative;
@@ -53,13 +53,13 @@ final class LongNumber {
         some = true;
         if (part == Part.EXPONENT_START || part == Part.EXPONENT) {
             part = Part.EXPONENT;
-            exponent = Math.min(MOST_WRITTEN, 10 * exponent + c - '0');
+            exponent = Math.min(MAX_WRITTEN, 10 * exponent + c - '0');
             return;
         }
         if (part == Part.START) {
             part = Part.WHOLE;
         }
-        boolean kept = digits.length() < MOST_DIGITS && (c != '0' || !digits.isEmpty());
+        boolean kept = digits.length() < MAX_DIGITS && (c != '0' || !digits.isEmpty());
         if (kept) {
             digits.append(c);
         } else {
@@ -84,6 +84,6 @@ final class LongNumber {
         }
         // a last digit that stands for all that were dropped, one place below the others
         long power = scale + (negativeExponent ? -exponent : exponent) - (more ? 1 : 0);
-        return shown + (more ? "1" : "") + 'e' + Math.max(-MOST_EXPONENT, Math.min(MOST_EXPONENT, power));
+        return shown + (more ? "1" : "") + 'e' + Math.max(-MAX_EXPONENT, Math.min(MAX_EXPONENT, power));
     }
 }

@@ -11,7 +11,7 @@ public final class Numerals {
 
     private static final int LONG_DIGITS = 18;
     private static final int UNSIGNED_LONG_DIGITS = 19;
-    private static final int MOST_EXPONENT = 9999;
+    private static final int MAX_EXPONENT = 9999;
 
     private int end;
 
@@ -75,7 +75,7 @@ public final class Numerals {
         }
         int exponent = 0;
         int begin = i;
-        while (isDigit(bytes[i]) && exponent < MOST_EXPONENT) {
+        while (isDigit(bytes[i]) && exponent < MAX_EXPONENT) {
             exponent = 10 * exponent + bytes[i++] - '0';
         }
         end = i > begin ? i : end;

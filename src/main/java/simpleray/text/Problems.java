@@ -7,7 +7,7 @@ import java.util.List;
 /** What was found wrong with a scene file so far, and what the values being read belong to. <em>Mutable</em>, for one thread. */
 final class Problems {
     /** No more warnings than these are kept: a book read by mistake has a heading in every line. */
-    private static final int MOST_WARNINGS = 1000;
+    private static final int MAX_WARNINGS = 1000;
 
     private static final int DEEP = 8;
 
@@ -79,7 +79,7 @@ final class Problems {
 
     /** {@return whether another warning will be kept} */
     boolean hasRoom() {
-        return warnings.size() < MOST_WARNINGS;
+        return warnings.size() < MAX_WARNINGS;
     }
 
     /** {@return what is found at the end of the file} Whose values are all in lines that begin with a letter, sees none of them. */

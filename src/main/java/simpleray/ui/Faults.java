@@ -7,7 +7,7 @@ import java.util.TreeMap;
 
 /** The rows of a rendering that something went wrong with, and what. <em>Mutable</em>; any thread may call. */
 final class Faults {
-    private static final int MOST_LINES = 20;
+    private static final int MAX_LINES = 20;
 
     private final TreeMap<Integer, String> rows = new TreeMap<>();
 
@@ -40,9 +40,9 @@ final class Faults {
         if (why != null) {
             lines.add(line(first, last, why));
         }
-        if (lines.size() > MOST_LINES) {
-            int more = lines.size() - MOST_LINES;
-            lines.subList(MOST_LINES, lines.size()).clear();
+        if (lines.size() > MAX_LINES) {
+            int more = lines.size() - MAX_LINES;
+            lines.subList(MAX_LINES, lines.size()).clear();
             lines.add("and " + more + " more such pieces");
         }
         return String.join("\n", lines);

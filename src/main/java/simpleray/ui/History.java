@@ -6,7 +6,7 @@ import java.util.List;
 /** The last pictures that were finished, as many as fit into some memory, eight at most. For the event thread. */
 final class History {
     /** The most pictures that are kept. */
-    static final int MOST = 8;
+    static final int MAX = 8;
     /** The share of the memory that they may take. */
     private static final int SHARE = 8;
 
@@ -26,7 +26,7 @@ final class History {
     void add(Finished picture) {
         pictures.add(picture);
         long bytes = pictures.stream().mapToLong(Finished::bytes).sum();
-        while (pictures.size() > MOST || !pictures.isEmpty() && bytes > room) {
+        while (pictures.size() > MAX || !pictures.isEmpty() && bytes > room) {
             bytes -= pictures.remove(0).bytes();
         }
     }

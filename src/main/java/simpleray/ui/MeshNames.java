@@ -15,7 +15,7 @@ import java.util.regex.Pattern;
 
 /** Finds the files that a scene's text names between double quotes, whether the text has errors or not. */
 final class MeshNames {
-    private static final int MOST = 1000;
+    private static final int MAX = 1000;
     private static final int LONGEST = 4096;
     private static final Pattern QUOTED = Pattern.compile("\"([^\"\n]*)\"");
     private static final int PIECE = 1 << 16;
@@ -34,7 +34,7 @@ final class MeshNames {
         MeshNames names = new MeshNames(scene);
         try (InputStream in = Files.newInputStream(scene)) {
             byte[] piece = new byte[PIECE];
-            for (int length = in.read(piece); length >= 0 && names.found.size() < MOST; length = in.read(piece)) {
+            for (int length = in.read(piece); length >= 0 && names.found.size() < MAX; length = in.read(piece)) {
                 for (int i = 0; i < length; i++) {
                     names.take(piece[i]);
                 }

@@ -26,7 +26,7 @@ import simpleray.text.WholeFile;
  */
 final class Preferences {
     /** The most scenes that are remembered. */
-    static final int MOST_RECENT = 10;
+    static final int MAX_RECENT = 10;
 
     private static final int LARGEST = 1 << 18;               // bytes of a file that is read
     private static final int FARTHEST = 1_000_000;            // pixels, lest a sum overflow
@@ -109,7 +109,7 @@ final class Preferences {
 
     private static List<Path> recent(Properties all) {
         List<Path> files = new ArrayList<>();
-        for (int i = 1; i <= MOST_RECENT; i++) {
+        for (int i = 1; i <= MAX_RECENT; i++) {
             Path one = path(all.getProperty(RECENT + i, ""));
             if (one != null && !files.contains(one)) {
                 files.add(one);
@@ -148,7 +148,7 @@ final class Preferences {
         change(all -> {
             List<Path> files = recent(all);
             task.accept(files);
-            for (int i = 1; i <= MOST_RECENT; i++) {
+            for (int i = 1; i <= MAX_RECENT; i++) {
                 if (i <= files.size()) {
                     all.setProperty(RECENT + i, files.get(i - 1).toString());
                 } else {

@@ -29,7 +29,7 @@ import simpleray.text.Problem;
  */
 final class ProblemsPane extends JTextPane {
     private static final long serialVersionUID = 1L;
-    private static final int MOST_LINES = 6;
+    private static final int MAX_LINES = 6;
 
     private final transient Consumer<Problem> follower;
     private final transient List<Entry> entries = new ArrayList<>();
@@ -192,7 +192,7 @@ final class ProblemsPane extends JTextPane {
 
     @Override
     public Dimension getPreferredScrollableViewportSize() {
-        int lines = Math.min(MOST_LINES, (int) getText().lines().count() + 1);      // one for a scroll bar
+        int lines = Math.min(MAX_LINES, (int) getText().lines().count() + 1);      // one for a scroll bar
         Insets insets = getInsets();
         return new Dimension(getPreferredSize().width, lines * getFontMetrics(getFont()).getHeight() + insets.top + insets.bottom);
     }

@@ -22,7 +22,7 @@ import simpleray.render.Region;
  */
 final class RegionTool extends MouseAdapter {
     private static final String CLEAR = "clear-region";
-    private static final int LEAST_DRAG = 3;                  // pixels of the screen; less is a click
+    private static final int MIN_DRAG = 3;                  // pixels of the screen; less is a click
     private static final BasicStroke DASHES = new BasicStroke(1, BasicStroke.CAP_BUTT, BasicStroke.JOIN_MITER, 1, new float[] {4, 4}, 0);
 
     private final SimpleRay picture;
@@ -143,7 +143,7 @@ final class RegionTool extends MouseAdapter {
     public void mouseReleased(MouseEvent e) {
         if (from != null && SwingUtilities.isLeftMouseButton(e)) {
             to = within(e.getPoint());
-            boolean click = Math.abs(to.x - from.x) < LEAST_DRAG && Math.abs(to.y - from.y) < LEAST_DRAG;
+            boolean click = Math.abs(to.x - from.x) < MIN_DRAG && Math.abs(to.y - from.y) < MIN_DRAG;
             Region drawn = click ? null : drawn();
             endDrag();
             set(drawn);

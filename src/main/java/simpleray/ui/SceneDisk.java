@@ -17,7 +17,7 @@ import simpleray.text.WholeFile;
 /** Reads and writes a scene's text on a thread of its own, one after another, and answers on the event thread. */
 final class SceneDisk {
     /** The largest file that is edited; beyond, typing would be slow. */
-    static final long MOST = 8L << 20;
+    static final long MAX = 8L << 20;
     private static final double MEBI = 1 << 20;
 
     private final ExecutorService worker = Executors.newSingleThreadExecutor(task -> new Thread(task, "simpleray-editing"));
@@ -39,7 +39,7 @@ final class SceneDisk {
             try {
                 Path path = source.path();
                 long size = path == null || !Files.exists(path) ? 0 : Files.size(path);
-                answer = size <= MOST ? new Answer(source.text(), null, false)
+                answer = size <= MAX ? new Answer(source.text(), null, false)
                     : new Answer(null,
                     String.format("%s is too large to be edited here: %.0f MiB", path.getFileName(), size / MEBI), false);
             } catch (NoSuchFileException e) {

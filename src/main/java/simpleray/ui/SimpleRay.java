@@ -23,11 +23,11 @@ import simpleray.scene.SimpleCamera;
 public final class SimpleRay extends ZoomedComponent implements Runnable {
     private static final long serialVersionUID = 1L;
     private static final int KICK = 20;                       // milliseconds between two looks for finished pieces
-    private static final long MOST_WORK = 8_000_000;          // nanoseconds that one look may take
+    private static final long MAX_WORK = 8_000_000;          // nanoseconds that one look may take
     /** Until the coarse picture is whole it waits so long before it shows a part of it, in nanoseconds: whole it comes without flicker. */
     private static final long HOLD = 120_000_000;
     /** What is asked for anew may wait so long for the picture before to be shown, in nanoseconds. */
-    private static final long MOST_WAIT = 250_000_000;
+    private static final long MAX_WAIT = 250_000_000;
     private static final Color SURROUND = new Color(0x3C3F41);
 
     private final transient Timer kicker = new Timer(KICK, e -> run());
@@ -100,7 +100,7 @@ public final class SimpleRay extends ZoomedComponent implements Runnable {
     @SuppressWarnings("ReferenceEquality")                    // the very request, not one like it
     private void restartIfReady() {
         boolean ended = rendering.state().ended();
-        if (again && (ended || rendering.hasScene() && (shown || rendering.age(System.nanoTime()) > MOST_WAIT))) {
+        if (again && (ended || rendering.hasScene() && (shown || rendering.age(System.nanoTime()) > MAX_WAIT))) {
             Rendering last = lastRead();
             if (last != null) {
                 Findings known = last == rendering ? Findings.NONE : rendering.findings();
@@ -159,7 +159,7 @@ public final class SimpleRay extends ZoomedComponent implements Runnable {
         boolean given = rendering.state() == Rendering.State.CANCELLED && !shown;   // up, before it could be seen
         long now = System.nanoTime();
         if (!rendering.pieces().isEmpty() && !given && (shown || ended || rendering.isCoarse() || rendering.age(now) > HOLD)) {
-            showPieces(now + MOST_WORK);
+            showPieces(now + MAX_WORK);
         }
         if (ended && (given || rendering.pieces().isEmpty())) {
             kicker.stop();

@@ -18,7 +18,7 @@ final class WindowPlace {
     private static final int GRIP_WIDTH = 100;
     private static final int GRIP_HEIGHT = 24;
     /** How large a window is at first, at least. */
-    private static final Dimension LEAST = new Dimension(760, 560);
+    private static final Dimension MIN = new Dimension(760, 560);
 
     private final JFrame frame;
     private final Preferences preferences;
@@ -32,8 +32,8 @@ final class WindowPlace {
             frame.setLocationByPlatform(true);
             frame.pack();
             Dimension screen = frame.getToolkit().getScreenSize();
-            int width = Math.min(screen.width, Math.max(LEAST.width, frame.getWidth()));
-            frame.setSize(width, Math.min(screen.height, Math.max(LEAST.height, frame.getHeight())));
+            int width = Math.min(screen.width, Math.max(MIN.width, frame.getWidth()));
+            frame.setSize(width, Math.min(screen.height, Math.max(MIN.height, frame.getHeight())));
         } else {
             frame.setBounds(place);
             frame.addNotify();                                // there, and never known to the desktop elsewhere

@@ -17,7 +17,7 @@ import simpleray.Project;
 /** The program as a process of its own, without a display. */
 public final class Program {
     /** No run takes as long; one that does hangs. */
-    private static final long MOST_SECONDS = 60;
+    private static final long MAX_SECONDS = 60;
 
     private Program() {
     }
@@ -87,8 +87,8 @@ public final class Program {
             try (OutputStream stdin = process.getOutputStream()) {
                 stdin.write(in);
             }
-            if (!process.waitFor(MOST_SECONDS, TimeUnit.SECONDS)) {
-                throw new AssertionError("the program still runs after " + MOST_SECONDS + " s");
+            if (!process.waitFor(MAX_SECONDS, TimeUnit.SECONDS)) {
+                throw new AssertionError("the program still runs after " + MAX_SECONDS + " s");
             }
             return new Result(process.exitValue(), out.join(), unix(new String(err.join(), Charset.defaultCharset())));
         } finally {

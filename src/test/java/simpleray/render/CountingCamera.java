@@ -9,7 +9,7 @@ import simpleray.scene.Camera;
 
 /** A camera that counts the primary rays it is asked for, and remembers where the first few of them went through the picture. */
 final class CountingCamera implements Camera {
-    private static final int MOST_PLACES = 1000;
+    private static final int MAX_PLACES = 1000;
 
     private final Camera camera;
     private final AtomicLong rays = new AtomicLong();
@@ -45,7 +45,7 @@ final class CountingCamera implements Camera {
 
     @Override
     public void through(double px, double py, Ray ray) {
-        if (rays.incrementAndGet() <= MOST_PLACES) {
+        if (rays.incrementAndGet() <= MAX_PLACES) {
             places.add(px + " " + py);
         }
         camera.through(px, py, ray);

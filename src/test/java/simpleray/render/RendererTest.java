@@ -94,10 +94,10 @@ class RendererTest {
     }
 
     @ParameterizedTest
-    @ValueSource(ints = {0, 1, 3, SceneSettings.MOST_DEPTH})
+    @ValueSource(ints = {0, 1, 3, SceneSettings.MAX_DEPTH})
     void theDepthIsThatOfTheSettingsAndTheStackHoldsTheDeepest(int depth) {
         // two mirrors of Ka = Ks = 1 face each other along the axis of the one ray: each reflection adds 1
-        Scene scene = facingMirrors(SceneSettings.MOST_DEPTH);
+        Scene scene = facingMirrors(SceneSettings.MAX_DEPTH);
 
         Picture picture = new Renderer(scene, new SimpleCamera(1, 1), new RenderSettings(Stage.FINAL, depth, 1, 1))
             .render(RenderListener.NONE);

@@ -14,7 +14,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /** What is said of each hostile file is what lies beside it. */
 class HostileFilesTest {
-    private static final int LEAST = 500;
+    private static final int MIN = 500;
     private static final Locale DEFAULT = Locale.getDefault();
 
     @AfterEach
@@ -34,7 +34,7 @@ class HostileFilesTest {
 
     @Test
     void thereAreFiveHundredAndTheirNamesSayWhichAreAccepted() throws IOException {
-        assertThat(files()).hasSizeGreaterThanOrEqualTo(LEAST);
+        assertThat(files()).hasSizeGreaterThanOrEqualTo(MIN);
         for (Path file : files()) {
             String expected = HostileFiles.told(file);
             String first = expected.lines().findFirst().orElse("");

@@ -30,8 +30,8 @@ class MutantsTest {
     private static final int SHORT = 400;
     private static final int FEW = 1;
     private static final int EVERY = 1000;
-    private static final long MOST_BYTES = 64L << 20;
-    private static final long MOST_NANOS = 2_000_000_000L;
+    private static final long MAX_BYTES = 64L << 20;
+    private static final long MAX_NANOS = 2_000_000_000L;
     private static final com.sun.management.ThreadMXBean THREADS = (com.sun.management.ThreadMXBean) ManagementFactory.getThreadMXBean();
 
     @Test
@@ -86,11 +86,11 @@ class MutantsTest {
         long start = System.nanoTime();
         boolean scene = outcome(mutant, name) == null;
         long took = System.nanoTime() - start;
-        assertLess(THREADS.getThreadAllocatedBytes(thread) - bytes, MOST_BYTES + mutant.length, name + ": bytes");
-        if (took > MOST_NANOS) {                              // or others had the processor meanwhile
+        assertLess(THREADS.getThreadAllocatedBytes(thread) - bytes, MAX_BYTES + mutant.length, name + ": bytes");
+        if (took > MAX_NANOS) {                              // or others had the processor meanwhile
             long busy = THREADS.getCurrentThreadCpuTime();
             outcome(mutant, name);
-            assertLess(THREADS.getCurrentThreadCpuTime() - busy, MOST_NANOS, name + ": ns");
+            assertLess(THREADS.getCurrentThreadCpuTime() - busy, MAX_NANOS, name + ": ns");
         }
         return scene;
     }

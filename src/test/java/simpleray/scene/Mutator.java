@@ -10,7 +10,7 @@ final class Mutator {
     private static final List<String> NASTY = List.of("NaN", "Infinity", "1e400", "-1e400", "0x10", "1,5", "-1", "0", "-0", "1e9", "2147483648",
         "2147483647", "1e-400", "1e308", "1e154", "4.9e-324", "9".repeat(40), "0." + "0".repeat(400) + "1", "\"", "\"x\"", "#", "transmit",
         "camera", "depth", "window", "4", "99", "\0", "\uFEFF", "\u0661", "\u2028", "abc", "\n", "\r", ".", "-", "1e", "\"../x.obj\"", "f", "vn");
-    private static final int MOST_CHANGES = 3;
+    private static final int MAX_CHANGES = 3;
 
     private final Random random;
     private final List<byte[]> texts;
@@ -23,7 +23,7 @@ final class Mutator {
     /** {@return a mutant of one of the texts} */
     byte[] next() {
         byte[] mutant = texts.get(random.nextInt(texts.size()));
-        for (int changes = 1 + random.nextInt(MOST_CHANGES); changes > 0; changes--) {
+        for (int changes = 1 + random.nextInt(MAX_CHANGES); changes > 0; changes--) {
             mutant = changed(mutant);
         }
         return mutant;

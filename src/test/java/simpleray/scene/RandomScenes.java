@@ -33,8 +33,8 @@ final class RandomScenes {
         return switch (random.nextInt(4)) {
             case 0 -> new Plane(material, vector(random), length(random));
             case 1 -> new Triangle(material, near(random), near(random), near(random));
-            case 2 -> new Cylinder(material, point(random), near(random), Math.min(Lengths.MOST, above(random)));
-            default -> new Sphere(material, point(random), Math.min(Lengths.MOST, above(random)));
+            case 2 -> new Cylinder(material, point(random), near(random), Math.min(Lengths.MAX, above(random)));
+            default -> new Sphere(material, point(random), Math.min(Lengths.MAX, above(random)));
         };
     }
 
@@ -61,10 +61,10 @@ final class RandomScenes {
             double ymin = -above(random);
             settings.window = maybe(random, new SceneSettings.Window(xmin, Math.nextUp(xmin), ymin, above(random)));
         }
-        settings.resolution = maybe(random, new SceneSettings.Resolution(1 + random.nextInt(SceneSettings.MOST_RESOLUTION),
-            1 + random.nextInt(SceneSettings.MOST_RESOLUTION)));
-        settings.depth = maybe(random, random.nextInt(SceneSettings.MOST_DEPTH + 1));
-        settings.samples = maybe(random, 1 + random.nextInt(SceneSettings.MOST_SAMPLES));
+        settings.resolution = maybe(random, new SceneSettings.Resolution(1 + random.nextInt(SceneSettings.MAX_RESOLUTION),
+            1 + random.nextInt(SceneSettings.MAX_RESOLUTION)));
+        settings.depth = maybe(random, random.nextInt(SceneSettings.MAX_DEPTH + 1));
+        settings.samples = maybe(random, 1 + random.nextInt(SceneSettings.MAX_SAMPLES));
         return settings;
     }
 
@@ -95,7 +95,7 @@ final class RandomScenes {
 
     /** {@return a number that an object may have} */
     private static double length(Random random) {
-        return Math.max(-Lengths.MOST, Math.min(Lengths.MOST, number(random)));
+        return Math.max(-Lengths.MAX, Math.min(Lengths.MAX, number(random)));
     }
 
     /** {@return a number: as people write them, or any finite pattern of bits, or a zero of either sign} */

@@ -19,7 +19,7 @@ import simpleray.text.SceneFormatException;
 public final class SceneFuzzer {
     private static final String OBJ_KEYWORDS = "vf";
     private static final ThreadMXBean CLOCK = ManagementFactory.getThreadMXBean();
-    private static final long MOST_TIME = 2_000_000_000L;
+    private static final long MAX_TIME = 2_000_000_000L;
 
     private SceneFuzzer() {
     }
@@ -49,7 +49,7 @@ public final class SceneFuzzer {
     public static void fuzzerTestOneInput(byte[] data) throws IOException {
         long begin = CLOCK.getCurrentThreadCpuTime();
         outcome(data);
-        if (CLOCK.getCurrentThreadCpuTime() - begin > MOST_TIME) {
+        if (CLOCK.getCurrentThreadCpuTime() - begin > MAX_TIME) {
             throw new AssertionError("it took longer than 2 s");
         }
     }

@@ -20,8 +20,8 @@ import simpleray.text.SceneFormatException;
  */
 @Tag("slow")
 class VastFilesTest {
-    private static final long MOST_BYTES = 64L << 20;
-    private static final long MOST_NANOS = 4 * 2_000_000_000L;
+    private static final long MAX_BYTES = 64L << 20;
+    private static final long MAX_NANOS = 4 * 2_000_000_000L;
     private static final long LINE = 100_000_000;
     private static final long FILE = 1L << 30;
     private static final com.sun.management.ThreadMXBean THREADS = (com.sun.management.ThreadMXBean) ManagementFactory.getThreadMXBean();
@@ -61,10 +61,10 @@ class VastFilesTest {
     private static String refusal(String pattern, long length) {
         long[] nanos = {0};
         String message = refusal(pattern, length, nanos);
-        if (nanos[0] >= MOST_NANOS) {
+        if (nanos[0] >= MAX_NANOS) {
             refusal(pattern, length, nanos);
         }
-        assertThat(nanos[0]).as("ns").isLessThan(MOST_NANOS);
+        assertThat(nanos[0]).as("ns").isLessThan(MAX_NANOS);
         return message;
     }
 
@@ -76,7 +76,7 @@ class VastFilesTest {
         SceneFormatException e = catchThrowableOfType(SceneFormatException.class, () -> SceneFile.read(new Repeated(pattern, length)));
 
         nanos[0] = THREADS.getCurrentThreadCpuTime() - start;
-        assertThat(THREADS.getThreadAllocatedBytes(thread) - bytes).as("bytes").isLessThan(MOST_BYTES + length);
+        assertThat(THREADS.getThreadAllocatedBytes(thread) - bytes).as("bytes").isLessThan(MAX_BYTES + length);
         return e.problems().get(0).message();
     }
 
@@ -108,6 +108,6 @@ class VastFilesTest {
 
         assertThat(e.problems().get(0).headline()).isEqualTo(
             "line.obj:1:1: error: expected a line of at most 1048576 characters, found a longer one");
-        assertThat(THREADS.getThreadAllocatedBytes(thread) - bytes).as("bytes").isLessThan(MOST_BYTES);
+        assertThat(THREADS.getThreadAllocatedBytes(thread) - bytes).as("bytes").isLessThan(MAX_BYTES);
     }
 }

@@ -13,7 +13,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 class SceneReaderHeadingsTest {
     private static final Set<String> KEYWORDS = Set.of("background", "window");
-    private static final int MOST_WARNINGS = 1000;
+    private static final int MAX_WARNINGS = 1000;
 
     @Test
     void aLineThatBeginsWithALetterIsSkippedWithAWarning() throws IOException {
@@ -111,10 +111,10 @@ class SceneReaderHeadingsTest {
 
     @Test
     void noMoreThanAThousandWarningsAreKept() throws IOException {
-        SceneReader is = reader("Call me Ishmael.\n".repeat(MOST_WARNINGS + 1) + "1");
+        SceneReader is = reader("Call me Ishmael.\n".repeat(MAX_WARNINGS + 1) + "1");
 
         assertThat(is.readInt()).isEqualTo(1);
-        assertThat(is.warnings()).hasSize(MOST_WARNINGS).last().extracting(Problem::line).isEqualTo(MOST_WARNINGS);
+        assertThat(is.warnings()).hasSize(MAX_WARNINGS).last().extracting(Problem::line).isEqualTo(MAX_WARNINGS);
     }
 
     @Test

@@ -10,13 +10,13 @@ import org.junit.jupiter.api.Test;
 /** The event thread is never blocked. */
 class EventThreadTest {
     private static final int TICK = 5;
-    private static final double MOST = 1;
+    private static final double MAX = 1;
 
     @Test
     void itAnswersWhileRowsTakeForEver() {
         TestScenes.Gate gate = new TestScenes.Gate(0);
         try (OpenWindow window = new OpenWindow(TestScenes.watched(TestScenes.THESIS, gate), 200, 200)) {
-            assertThat(longestSilence(100)).isLessThan(MOST);
+            assertThat(longestSilence(100)).isLessThan(MAX);
             assertThat(window.rendering().state()).isEqualTo(Rendering.State.RENDERING);
             gate.open();
         } finally {
@@ -27,7 +27,7 @@ class EventThreadTest {
     @Test
     void itAnswersWhileALargePictureIsRendered() {
         try (OpenWindow window = new OpenWindow(SceneSource.file(TestScenes.MIRRORS), 3200, 2400)) {
-            assertThat(longestSilence(100)).isLessThan(MOST);
+            assertThat(longestSilence(100)).isLessThan(MAX);
             assertThat(window.rendering().state()).isEqualTo(Rendering.State.RENDERING);
         }
     }

@@ -20,7 +20,7 @@ final class StallMeter implements AutoCloseable {
     private AWTEvent worst;
 
     /** How long an event may hold the event thread, in nanoseconds. */
-    static final long MOST = 16_000_000;
+    static final long MAX = 16_000_000;
 
     private final class Meter extends EventQueue {
         @Override
@@ -30,7 +30,7 @@ final class StallMeter implements AutoCloseable {
             super.dispatchEvent(event);
             work = threads.getCurrentThreadCpuTime() - work;
             events++;
-            stalls += work > MOST ? 1 : 0;
+            stalls += work > MAX ? 1 : 0;
             if (work > longestWork) {
                 longestWork = work;
                 worst = event;
