@@ -55,7 +55,7 @@ final class BenchCommand implements Callable<Integer> {
     }
 
     @Override
-    public Integer call() throws Failure {
+    public Integer call() throws CommandException {
         say("SimpleRay on Java %s, %d processors; pictures of %d x %d, medians of %d", System.getProperty("java.version"), all,
             side(), side(), runs());
         interactive();                                        // first: a window that shows one scene has the machine's compiler to itself
@@ -67,7 +67,7 @@ final class BenchCommand implements Callable<Integer> {
     }
 
     /** A kind of rays costs what a rendering with them takes more than the same one without. */
-    private void kinds() throws Failure {
+    private void kinds() throws CommandException {
         Scene scene = BenchScenes.even(quick ? SIZES[0] : KINDS_SIZE, false);
         Run primary = median(scene, Stage.ORIGINAL, DEPTH, 1);
         Run lit = median(scene, Stage.LIGHTING, 0, 1);
@@ -85,11 +85,11 @@ final class BenchCommand implements Callable<Integer> {
         rate("all of a finished picture", mirrored.stats.rays(), mirrored.seconds);
     }
 
-    private void rate(String kind, long rays, double seconds) throws Failure {
+    private void rate(String kind, long rays, double seconds) throws CommandException {
         say("%-50s %9d   %s", kind, rays, seconds > 0 ? String.format(Locale.ROOT, "%.2f", rays / seconds / 1e6) : "too fast to measure");
     }
 
-    private void growth() throws Failure {
+    private void growth() throws CommandException {
         say("%n  spheres   make ready, s   render, s   rays   ns a ray   tests a ray");
         List<double[]> points = new ArrayList<>();
         for (int n : quick ? Arrays.copyOf(SIZES, 2) : SIZES) {
@@ -103,7 +103,7 @@ final class BenchCommand implements Callable<Integer> {
     }
 
     /** What lies unevenly, and what is no sphere, beside even spheres; each also with all objects asked in turn, as the thesis does. */
-    private void scenes() throws Failure {
+    private void scenes() throws CommandException {
         int n = quick ? SIZES[1] : KINDS_SIZE;
         int triangles = quick ? QUICK_MESH_SIZE : MESH_SIZE;
         say("%n%-30s   make ready, s   render, s      rays   ns a ray   tests a ray   ns a ray, --accel none", "scene");
@@ -116,7 +116,7 @@ final class BenchCommand implements Callable<Integer> {
         say("(--accel none with pictures of the size behind it; a mesh is one object, which finds its triangles by a tree of its own)");
     }
 
-    private void compare(String name, Supplier<Scene> maker) throws Failure {
+    private void compare(String name, Supplier<Scene> maker) throws CommandException {
         Scene scene = maker.get();
         RenderSettings settings = new RenderSettings(Stage.FINAL, DEPTH, 1, all);
         Run run = median(scene, settings, side());
@@ -137,7 +137,7 @@ final class BenchCommand implements Callable<Integer> {
             / points.stream().mapToDouble(p -> (p[0] - x) * (p[0] - x)).sum();
     }
 
-    private void threads() throws Failure {
+    private void threads() throws CommandException {
         say("%nthreads   render, s   efficiency");
         Scene scene = BenchScenes.even(quick ? SIZES[0] : KINDS_SIZE, false);
         TreeSet<Integer> numbers = new TreeSet<>(List.of(1, all));
@@ -152,12 +152,12 @@ final class BenchCommand implements Callable<Integer> {
         }
     }
 
-    private void interactive() throws Failure {
+    private void interactive() throws CommandException {
         Scene thesis;
         try {
             thesis = SceneFile.read(BenchCommand.class.getResourceAsStream(THESIS)).scene();
         } catch (IOException e) {
-            throw new Failure(ExitCode.INTERNAL, "simpleray: the thesis's scene in the jar cannot be read: " + e.getMessage());
+            throw new CommandException(ExitCode.INTERNAL, "simpleray: the thesis's scene in the jar cannot be read: " + e.getMessage());
         }
         SceneSettings settings = new SceneSettings();
         settings.resolution = new SceneSettings.Resolution(side(), side());
@@ -205,7 +205,7 @@ final class BenchCommand implements Callable<Integer> {
         return new Run(renderer.stats().readySeconds(), renderer.stats().renderSeconds(), renderer.stats().rays());
     }
 
-    private void say(String format, java.lang.Object... values) throws Failure {
+    private void say(String format, java.lang.Object... values) throws CommandException {
         TextOutput.say(main, String.format(Locale.ROOT, format, values) + '\n');
     }
 }

@@ -35,11 +35,11 @@ final class CheckCommand implements Callable<Integer> {
     private OutsideOption outside;
 
     @Override
-    public Integer call() throws Failure {
+    public Integer call() throws CommandException {
         return errors == Stats.Format.JSON ? json() : text();
     }
 
-    private int text() throws Failure {
+    private int text() throws CommandException {
         int worst = ExitCode.DONE;
         for (String scene : scenes) {
             try {
@@ -49,7 +49,7 @@ final class CheckCommand implements Callable<Integer> {
                 int warnings = file.warnings().size() + more.size();
                 TextOutput.say(main, scene + ": good: " + count(file.scene().getNumberObjects(), "object") + ", "
                     + count(file.scene().getNumberLights(), "light") + (warnings > 0 ? ", " + count(warnings, "warning") : "") + '\n');
-            } catch (Failure e) {
+            } catch (CommandException e) {
                 if (e.exitCode() == ExitCode.WRITE_ERROR) {
                     throw e;
                 }
@@ -60,7 +60,7 @@ final class CheckCommand implements Callable<Integer> {
         return worst;
     }
 
-    private int json() throws Failure {
+    private int json() throws CommandException {
         int worst = ExitCode.DONE;
         List<Problem> problems = new ArrayList<>();
         for (String scene : scenes) {

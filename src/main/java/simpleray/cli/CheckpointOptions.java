@@ -53,19 +53,19 @@ final class CheckpointOptions {
      *
      * @param output the picture's file, or - for standard output
      * @return the file; null if there is none
-     * @throws Failure if there must be one, and no name can be made of the picture's
+     * @throws CommandException if there must be one, and no name can be made of the picture's
      */
-    Path file(String output) throws Failure {
+    Path file(String output) throws CommandException {
         if (checkpoint == null && output.equals(SceneArgument.STREAM)) {
             if (resume || restart) {
-                throw Failure.usage((restart ? "--restart" : "--resume")
+                throw CommandException.usage((restart ? "--restart" : "--resume")
                     + " needs --checkpoint FILE where the picture goes to standard output");
             }
             return null;
         }
         Path file = Path.of(checkpoint == null ? output + PART : checkpoint);
         if (file.toAbsolutePath().normalize().equals(Path.of(output).toAbsolutePath().normalize())) {
-            throw Failure.usage("the checkpoint " + file + " is the output itself");
+            throw CommandException.usage("the checkpoint " + file + " is the output itself");
         }
         return file;
     }

@@ -42,9 +42,9 @@ final class CompareCommand implements Callable<Integer> {
     private Stats.Format format;
 
     @Override
-    public Integer call() throws Failure {
+    public Integer call() throws CommandException {
         if (heatmap != null && (TextOutput.isSame(one, heatmap) || TextOutput.isSame(other, heatmap))) {
-            throw Failure.usage("the output " + heatmap + " is one of the pictures");
+            throw CommandException.usage("the output " + heatmap + " is one of the pictures");
         }
         try (PngRows a = open(one); PngRows b = open(other)) {
             if (a.width() != b.width() || a.height() != b.height()) {
@@ -82,7 +82,7 @@ final class CompareCommand implements Callable<Integer> {
         }
     }
 
-    private PictureDiff compareAndDraw(PngRows a, PngRows b) throws IOException, Failure {
+    private PictureDiff compareAndDraw(PngRows a, PngRows b) throws IOException, CommandException {
         try (WholeFile file = TextOutput.begin(heatmap)) {
             HeatMap map = new HeatMap(a.width(), a.height(), file.out());
             PictureDiff diff = compare(a, b, map);
@@ -96,7 +96,7 @@ final class CompareCommand implements Callable<Integer> {
         }
     }
 
-    private PictureDiff compare(PngRows a, PngRows b, HeatMap map) throws IOException, Failure {
+    private PictureDiff compare(PngRows a, PngRows b, HeatMap map) throws IOException, CommandException {
         PictureDiff diff = new PictureDiff(a.width(), a.height());
         for (int y = 0; y < a.height(); y++) {
             int[] differences = diff.row(a.next(), b.next());
@@ -111,8 +111,8 @@ final class CompareCommand implements Callable<Integer> {
         return diff;
     }
 
-    private Failure notWritten(IOException e) {
-        return new Failure(ExitCode.WRITE_ERROR, "simpleray: " + heatmap + ": cannot be written: " + e.getMessage());
+    private CommandException notWritten(IOException e) {
+        return new CommandException(ExitCode.WRITE_ERROR, "simpleray: " + heatmap + ": cannot be written: " + e.getMessage());
     }
 
     private String text(PictureDiff c, PngRows size) {

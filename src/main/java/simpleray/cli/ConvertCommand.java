@@ -28,7 +28,7 @@ final class ConvertCommand implements Callable<Integer> {
     private OutsideOption outside;
 
     @Override
-    public Integer call() throws Failure {
+    public Integer call() throws CommandException {
         Scene scene = SceneArgument.read(in, main.in(), main.err(), outside.reach()).scene();
         boolean leaves = false;
         for (int i = 0; i < scene.getNumberObjects(); i++) {

@@ -68,12 +68,12 @@ final class ExplainCommand implements Callable<Integer> {
     private OutsideOption outside;
 
     @Override
-    public Integer call() throws Failure {
+    public Integer call() throws CommandException {
         RenderRequest request = picture.request(stage.stage(), Runtime.getRuntime().availableProcessors()).with(accel);
         Scene read = SceneArgument.read(scene, main.in(), quiet ? null : main.err(), outside.reach()).scene();
         Explainer explainer = request.renderer(read).explainer();
         if (pixel.x >= explainer.width() || pixel.y >= explainer.height()) {
-            throw Failure.usage("the pixel " + pixel.x + ',' + pixel.y + " is outside the picture of " + explainer.width() + 'x'
+            throw CommandException.usage("the pixel " + pixel.x + ',' + pixel.y + " is outside the picture of " + explainer.width() + 'x'
                 + explainer.height() + ", whose last one is " + (explainer.width() - 1) + ',' + (explainer.height() - 1));
         }
         PixelStory story = explainer.story(pixel.x, pixel.y);

@@ -45,10 +45,10 @@ final class ExportCommand implements Callable<Integer> {
     private PictureOptions picture;
 
     @Override
-    public Integer call() throws Failure {
+    public Integer call() throws CommandException {
         SceneSettings asked = picture.request(Stage.FINAL, 1).settings();
         if (TextOutput.isSame(scene, output)) {
-            throw Failure.usage("the output " + output + " is the scene itself");
+            throw CommandException.usage("the output " + output + " is the scene itself");
         }
         Scene read = SceneArgument.read(scene, main.in(), main.err(), outside.reach()).scene();
         read.settings = read.settings.under(asked);
@@ -57,7 +57,7 @@ final class ExportCommand implements Callable<Integer> {
         try {
             TextOutput.write(main, output, exported::write);
         } catch (UnsupportedOperationException e) {
-            throw new Failure(ExitCode.BAD_SCENE, "simpleray: " + scene + ": " + e.getMessage());
+            throw new CommandException(ExitCode.BAD_SCENE, "simpleray: " + scene + ": " + e.getMessage());
         }
         for (String warning : exported.warnings()) {
             main.err().println(scene + ": warning: " + warning);

@@ -63,7 +63,7 @@ final class FiguresCommand implements Callable<Integer> {
     }
 
     @Override
-    public Integer call() throws Failure {
+    public Integer call() throws CommandException {
         request = picture.request(Stage.LIGHTING, work.threads()).with(work.accel());
         file = SceneArgument.read(scene, main.in(), work.warnings(main.err()), outside.reach());
         read = file.scene();
@@ -123,14 +123,14 @@ final class FiguresCommand implements Callable<Integer> {
     }
 
     /** Lays out the sheets, and makes sure that there is memory for each. */
-    private List<Sheet> layouts(List<Figure> figures, int width, int height) throws Failure {
+    private List<Sheet> layouts(List<Figure> figures, int width, int height) throws CommandException {
         List<Sheet> sheets = new ArrayList<>();
         try {
             for (Figure figure : figures) {
                 sheets.add(new Sheet(width, height, figure.labels));
             }
         } catch (IllegalArgumentException e) {
-            throw Failure.usage(e.getMessage());
+            throw CommandException.usage(e.getMessage());
         }
         for (int i = 0; i < sheets.size(); i++) {
             Sheet sheet = sheets.get(i);
@@ -146,14 +146,14 @@ final class FiguresCommand implements Callable<Integer> {
         return Path.of(folder).resolve((ending > 0 ? name.substring(0, ending) : name) + '-' + figure.name + ".png").toString();
     }
 
-    private WholeFile begin(String output) throws Failure {
+    private WholeFile begin(String output) throws CommandException {
         if (TextOutput.isSame(scene, output)) {
-            throw Failure.usage("the output " + output + " is the scene itself");
+            throw CommandException.usage("the output " + output + " is the scene itself");
         }
         return TextOutput.begin(output);
     }
 
-    private void make(Figure figure, Sheet sheet, WholeFile target) throws Failure {
+    private void make(Figure figure, Sheet sheet, WholeFile target) throws CommandException {
         long start = System.nanoTime();
         Picture filled = sheet.with(figure.pictures.get());
         printer.end();
@@ -162,7 +162,7 @@ final class FiguresCommand implements Callable<Integer> {
             PngWriter.write(filled, target.out());
             target.commit();
         } catch (IOException e) {
-            throw new Failure(ExitCode.WRITE_ERROR, "simpleray: " + output(figure) + ": cannot be written: " + e.getMessage());
+            throw new CommandException(ExitCode.WRITE_ERROR, "simpleray: " + output(figure) + ": cannot be written: " + e.getMessage());
         }
         work.report(main.err(), output(figure), filled, Progress.seconds(start, System.nanoTime()));
     }

@@ -15,15 +15,15 @@ final class HeapCheck {
      *
      * @param what what it is needed for, to stand in the message, such as {@code a picture of 640x480}
      * @param bytes how much its pictures take
-     * @throws Failure if there is less
+     * @throws CommandException if there is less
      */
-    static void require(String what, long bytes) throws Failure {
+    static void require(String what, long bytes) throws CommandException {
         long needed = bytes + SLACK;
         if (needed > free()) {
             System.gc();                                      // what is free is known only after it
             long free = free();
             if (needed > free) {
-                throw new Failure(ExitCode.NO_MEMORY, String.format(Locale.ROOT,
+                throw new CommandException(ExitCode.NO_MEMORY, String.format(Locale.ROOT,
                     "simpleray: %s needs %d MiB of memory, and Java has %d MiB left: make it smaller, or give java more by -Xmx",
                     what, needed >> 20, free >> 20));
             }

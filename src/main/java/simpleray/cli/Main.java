@@ -79,7 +79,7 @@ public final class Main implements Runnable {
         if (e instanceof InvalidPathException name) {
             return usage(command, "no file can be called '" + name.getInput() + "' here: " + name.getReason());
         }
-        if (!(e instanceof Failure failure)) {
+        if (!(e instanceof CommandException failure)) {
             return internal(e);
         }
         if (failure.exitCode() == ExitCode.USAGE) {

@@ -68,9 +68,9 @@ final class PictureOptions {
     /**
      * Puts together what was asked for.
      *
-     * @throws Failure if something is out of its range
+     * @throws CommandException if something is out of its range
      */
-    RenderRequest request(Stage stage, int threads) throws Failure {
+    RenderRequest request(Stage stage, int threads) throws CommandException {
         SceneSettings asked = new SceneSettings();
         asked.resolution = size;
         asked.depth = depth;
@@ -82,19 +82,19 @@ final class PictureOptions {
         if (samples != null && !adaptive) {
             Long n = Numbers.parseInteger(samples, 1, SceneSettings.MAX_SAMPLES);
             if (n == null) {
-                throw Failure.usage("--samples must be 1 to " + SceneSettings.MAX_SAMPLES + " or adaptive, and is '" + samples + "'");
+                throw CommandException.usage("--samples must be 1 to " + SceneSettings.MAX_SAMPLES + " or adaptive, and is '" + samples + "'");
             }
             asked.samples = n.intValue();
         }
         if (camera != null && (cop != null || window != null)) {
-            throw Failure.usage("--camera takes the place of --cop and --window: give one or the other");
+            throw CommandException.usage("--camera takes the place of --cop and --window: give one or the other");
         }
         RenderRequest request = new RenderRequest(asked, stage, adaptive, threads);
         try {
             request.renderer(new Scene());                    // what is out of its range is known before the scene is read
             return request;
         } catch (IllegalArgumentException e) {
-            throw Failure.usage(e.getMessage());
+            throw CommandException.usage(e.getMessage());
         }
     }
 }

@@ -21,7 +21,7 @@ final class PrintCommand implements Callable<Integer> {
     private OutsideOption outside;
 
     @Override
-    public Integer call() throws Failure {
+    public Integer call() throws CommandException {
         Scene read = SceneArgument.read(scene, main.in(), main.err(), outside.reach()).scene();
         TextOutput.write(main, SceneArgument.STREAM, read::print);
         return ExitCode.DONE;

@@ -109,25 +109,25 @@ final class RenderCheckpointer implements RowSink, Closeable {
      *
      * @param options what is asked for
      * @param late after how many milliseconds a checkpoint is begun that was not asked for
-     * @throws Failure if the checkpoint is of another picture, or cannot be used
+     * @throws CommandException if the checkpoint is of another picture, or cannot be used
      */
-    void begin(CheckpointOptions options, long late) throws Failure {
+    void begin(CheckpointOptions options, long late) throws CommandException {
         this.late = late;
         if (path != null) {
             try {
                 begin(options);
             } catch (FileInUseException e) {
-                throw new Failure(ExitCode.BUSY, "simpleray: " + path + ": " + e.getReason());
+                throw new CommandException(ExitCode.BUSY, "simpleray: " + path + ": " + e.getReason());
             } catch (FileSystemException e) {
-                throw new Failure(ExitCode.NO_OUTPUT, "simpleray: " + path + ": " + reason(e));
+                throw new CommandException(ExitCode.NO_OUTPUT, "simpleray: " + path + ": " + reason(e));
             } catch (IOException e) {
-                throw new Failure(ExitCode.NO_OUTPUT, "simpleray: " + path + ": the checkpoint cannot be used: " + e.getMessage());
+                throw new CommandException(ExitCode.NO_OUTPUT, "simpleray: " + path + ": the checkpoint cannot be used: " + e.getMessage());
             }
         }
         Runtime.getRuntime().addShutdownHook(hook);
     }
 
-    private void begin(CheckpointOptions options) throws IOException, Failure {
+    private void begin(CheckpointOptions options) throws IOException, CommandException {
         boolean there = Files.exists(path);
         if (!there && options.resumes()) {
             notes.say(path + " is not there: beginning with the first row");
@@ -155,7 +155,7 @@ final class RenderCheckpointer implements RowSink, Closeable {
     }
 
     /** Looks at a file that is there, and goes on with it if that is asked for. {@return whether a new one may take its place} */
-    private boolean isFree(CheckpointOptions options) throws IOException, Failure {
+    private boolean isFree(CheckpointOptions options) throws IOException, CommandException {
         Map<String, String> was;
         try {
             was = Checkpoint.identity(path);
@@ -164,7 +164,7 @@ final class RenderCheckpointer implements RowSink, Closeable {
                 return false;                                 // somebody's file that has the name by chance
             }
             if (options.resumes()) {
-                throw new Failure(ExitCode.BAD_SCENE, "simpleray: " + path + ": " + reason(e));
+                throw new CommandException(ExitCode.BAD_SCENE, "simpleray: " + path + ": " + reason(e));
             }
             throw e;
         }
@@ -178,7 +178,7 @@ final class RenderCheckpointer implements RowSink, Closeable {
         if (options.resumes()) {
             resume(was);
         } else if (options.isNamed()) {
-            throw new Failure(ExitCode.NO_OUTPUT, "simpleray: " + path
+            throw new CommandException(ExitCode.NO_OUTPUT, "simpleray: " + path
                 + " holds rows of an earlier rendering: --resume goes on with them, --restart discards them");
         } else {
             notes.say(path + " holds rows of an earlier rendering, which --resume goes on with and --restart discards; "
@@ -187,10 +187,10 @@ final class RenderCheckpointer implements RowSink, Closeable {
         return false;
     }
 
-    private void resume(Map<String, String> was) throws IOException, Failure {
+    private void resume(Map<String, String> was) throws IOException, CommandException {
         String difference = PictureIdentity.difference(was, identity.get());
         if (!difference.isEmpty()) {
-            throw new Failure(ExitCode.BAD_SCENE, "simpleray: " + path + " holds rows of another picture: " + difference
+            throw new CommandException(ExitCode.BAD_SCENE, "simpleray: " + path + " holds rows of another picture: " + difference
                 + " (--restart discards them)");
         }
         Picture picture = renderer.picture();

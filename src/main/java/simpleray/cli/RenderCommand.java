@@ -107,7 +107,7 @@ final class RenderCommand implements PlainCommand {
     }
 
     @Override
-    public Integer call() throws Failure {
+    public Integer call() throws CommandException {
         RenderRequest request = picture.request(stage.stage(), work.threads()).with(work.accel()).with(region);
         refuseOtherFormats();
         Path kept = keep.file(output);
@@ -139,28 +139,28 @@ final class RenderCommand implements PlainCommand {
     }
 
     /** Makes the renderer, if the picture, whose size is known only now, has the region that is asked for. */
-    private static Renderer renderer(RenderRequest request, Scene read) throws Failure {
+    private static Renderer renderer(RenderRequest request, Scene read) throws CommandException {
         try {
             return request.renderer(read);
         } catch (IllegalArgumentException e) {
-            throw Failure.usage(e.getMessage());
+            throw CommandException.usage(e.getMessage());
         }
     }
 
-    private void toStream(Renderer renderer, RenderCheckpointer checkpointer) throws Failure {
+    private void toStream(Renderer renderer, RenderCheckpointer checkpointer) throws CommandException {
         try {
             checkpointer.begin(keep, RenderCheckpointer.LATE);
             render(renderer, new BufferedOutputStream(main.out()), checkpointer);
             checkpointer.finished();
             report("<stdout>", renderer);
         } catch (IOException e) {
-            throw new Failure(ExitCode.WRITE_ERROR, "simpleray: the picture cannot be written to standard output: " + e.getMessage());
+            throw new CommandException(ExitCode.WRITE_ERROR, "simpleray: the picture cannot be written to standard output: " + e.getMessage());
         }
     }
 
-    private void toFile(Renderer renderer, RenderCheckpointer checkpointer) throws Failure {
+    private void toFile(Renderer renderer, RenderCheckpointer checkpointer) throws CommandException {
         if (TextOutput.isSame(scene, output)) {
-            throw Failure.usage("the output " + output + " is the scene itself");
+            throw CommandException.usage("the output " + output + " is the scene itself");
         }
         try (WholeFile file = TextOutput.begin(output)) {
             checkpointer.begin(keep, RenderCheckpointer.LATE);
@@ -169,7 +169,7 @@ final class RenderCommand implements PlainCommand {
             checkpointer.finished();
             report(output, renderer);
         } catch (IOException e) {
-            throw new Failure(ExitCode.WRITE_ERROR, "simpleray: " + output + ": cannot be written: " + e.getMessage());
+            throw new CommandException(ExitCode.WRITE_ERROR, "simpleray: " + output + ": cannot be written: " + e.getMessage());
         }
     }
 
@@ -203,7 +203,7 @@ final class RenderCommand implements PlainCommand {
         }
     }
 
-    private void report(String name, Renderer renderer) throws Failure {
+    private void report(String name, Renderer renderer) throws CommandException {
         work.report(main.err(), name, renderer.picture(), Progress.seconds(start, System.nanoTime()));
         if (stats == null) {
             return;
@@ -216,10 +216,10 @@ final class RenderCommand implements PlainCommand {
         }
     }
 
-    private void refuseOtherFormats() throws Failure {
+    private void refuseOtherFormats() throws CommandException {
         String extension = output.substring(output.lastIndexOf('.') + 1).toLowerCase(Locale.ROOT);
         if (OTHER_FORMATS.contains(extension) && output.contains(".")) {
-            throw Failure.usage("pictures are written as PNG only: call the output " + output + ".png?");
+            throw CommandException.usage("pictures are written as PNG only: call the output " + output + ".png?");
         }
     }
 }

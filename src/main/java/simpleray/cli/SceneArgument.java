@@ -44,9 +44,9 @@ final class SceneArgument {
      * @param warnings where warnings go; null for nowhere
      * @param reach which OBJ files it may name
      * @return the scene
-     * @throws Failure with the whole report if it is bad or cannot be read
+     * @throws CommandException with the whole report if it is bad or cannot be read
      */
-    static SceneFile read(String name, InputStream in, PrintStream warnings, Reach reach) throws Failure {
+    static SceneFile read(String name, InputStream in, PrintStream warnings, Reach reach) throws CommandException {
         try {
             SceneFile file = open(name, in, reach);
             if (warnings != null) {
@@ -56,13 +56,13 @@ final class SceneArgument {
             }
             return file;
         } catch (SceneFormatException e) {
-            throw new Failure(ExitCode.BAD_SCENE, e.getMessage());
+            throw new CommandException(ExitCode.BAD_SCENE, e.getMessage());
         } catch (PictureFormatException e) {
-            throw new Failure(ExitCode.BAD_SCENE, "simpleray: " + e.getMessage());
+            throw new CommandException(ExitCode.BAD_SCENE, "simpleray: " + e.getMessage());
         } catch (FileSystemException e) {
-            throw new Failure(ExitCode.NO_SCENE, "simpleray: " + name + ": " + e.getReason());
+            throw new CommandException(ExitCode.NO_SCENE, "simpleray: " + name + ": " + e.getReason());
         } catch (IOException e) {
-            throw new Failure(ExitCode.NO_SCENE, "simpleray: " + name + ": cannot be read: " + e.getMessage());
+            throw new CommandException(ExitCode.NO_SCENE, "simpleray: " + name + ": cannot be read: " + e.getMessage());
         }
     }
 }

@@ -24,16 +24,16 @@ final class TextOutput {
      * Writes a text whole, or not at all.
      *
      * @param name a path, or - for standard output
-     * @throws Failure if the output cannot be created or written
+     * @throws CommandException if the output cannot be created or written
      */
-    static void write(Main main, String name, Text text) throws Failure {
+    static void write(Main main, String name, Text text) throws CommandException {
         if (name.equals(SceneArgument.STREAM)) {
             try {
                 SceneWriter writer = new SceneWriter(main.out());
                 text.write(writer);
                 writer.flush();
             } catch (IOException e) {
-                throw new Failure(ExitCode.WRITE_ERROR, "simpleray: standard output cannot be written: " + e.getMessage());
+                throw new CommandException(ExitCode.WRITE_ERROR, "simpleray: standard output cannot be written: " + e.getMessage());
             }
             return;
         }
@@ -43,16 +43,16 @@ final class TextOutput {
             writer.flush();
             file.commit();
         } catch (IOException e) {
-            throw new Failure(ExitCode.WRITE_ERROR, "simpleray: " + name + ": cannot be written: " + e.getMessage());
+            throw new CommandException(ExitCode.WRITE_ERROR, "simpleray: " + name + ": cannot be written: " + e.getMessage());
         }
     }
 
     /**
      * Begins a file.
      *
-     * @throws Failure if it cannot be created
+     * @throws CommandException if it cannot be created
      */
-    static WholeFile begin(String name) throws Failure {
+    static WholeFile begin(String name) throws CommandException {
         try {
             return new WholeFile(Path.of(name));
         } catch (IOException e) {
@@ -63,27 +63,27 @@ final class TextOutput {
     /**
      * Makes sure that a folder is there.
      *
-     * @throws Failure if it cannot be created
+     * @throws CommandException if it cannot be created
      */
-    static void makeFolder(String name) throws Failure {
+    static void makeFolder(String name) throws CommandException {
         try {
             Files.createDirectories(Path.of(name));
         } catch (FileAlreadyExistsException e) {
-            throw new Failure(ExitCode.NO_OUTPUT, "simpleray: " + name + ": cannot be created: " + e.getFile() + " is no folder");
+            throw new CommandException(ExitCode.NO_OUTPUT, "simpleray: " + name + ": cannot be created: " + e.getFile() + " is no folder");
         } catch (IOException e) {
             throw notCreated(name, e);
         }
     }
 
-    private static Failure notCreated(String name, IOException e) {
+    private static CommandException notCreated(String name, IOException e) {
         String reason = e.getMessage();
         if (e instanceof FileInUseException busy) {
-            return new Failure(ExitCode.BUSY, "simpleray: " + name + ": " + busy.getReason());
+            return new CommandException(ExitCode.BUSY, "simpleray: " + name + ": " + busy.getReason());
         }
         if (e instanceof FileSystemException f) {
             reason = f.getReason() != null ? f.getReason() : e.getClass().getSimpleName().replace("Exception", "");
         }
-        return new Failure(ExitCode.NO_OUTPUT, "simpleray: " + name + ": cannot be created: " + reason);
+        return new CommandException(ExitCode.NO_OUTPUT, "simpleray: " + name + ": cannot be created: " + reason);
     }
 
     /** {@return whether both name the same file, so that writing one would lose the other} */
@@ -99,14 +99,14 @@ final class TextOutput {
     /**
      * Writes to standard output.
      *
-     * @throws Failure if it cannot be written
+     * @throws CommandException if it cannot be written
      */
-    static void say(Main main, String text) throws Failure {
+    static void say(Main main, String text) throws CommandException {
         try {
             main.out().write(text.getBytes(StandardCharsets.UTF_8));
             main.out().flush();
         } catch (IOException e) {
-            throw new Failure(ExitCode.WRITE_ERROR, "simpleray: standard output cannot be written: " + e.getMessage());
+            throw new CommandException(ExitCode.WRITE_ERROR, "simpleray: standard output cannot be written: " + e.getMessage());
         }
     }
 }

@@ -48,7 +48,7 @@ final class VerifyCommand implements Callable<Integer> {
     private OutsideOption outside;
 
     @Override
-    public Integer call() throws Failure {
+    public Integer call() throws CommandException {
         try {
             PictureScene told = told();
             RenderRequest request = Provenance.request(told, work.accel(), work.threads());
@@ -56,9 +56,9 @@ final class VerifyCommand implements Callable<Integer> {
             requireSame(told, file);
             return compare(renderer(request, file), told);
         } catch (PictureFormatException e) {
-            throw new Failure(ExitCode.BAD_SCENE, "simpleray: " + e.getMessage());
+            throw new CommandException(ExitCode.BAD_SCENE, "simpleray: " + e.getMessage());
         } catch (IOException e) {
-            throw new Failure(ExitCode.NO_SCENE, "simpleray: " + picture + ": cannot be read: " + e.getMessage());
+            throw new CommandException(ExitCode.NO_SCENE, "simpleray: " + picture + ": cannot be read: " + e.getMessage());
         }
     }
 
@@ -70,27 +70,27 @@ final class VerifyCommand implements Callable<Integer> {
         }
     }
 
-    private PictureScene told() throws IOException, Failure {
+    private PictureScene told() throws IOException, CommandException {
         Path path = Path.of(picture);
         if (Files.isDirectory(path) || !Files.exists(path)) {
-            throw new Failure(ExitCode.NO_SCENE, "simpleray: " + picture + (Files.exists(path) ? ": is a folder" : ": no such file"));
+            throw new CommandException(ExitCode.NO_SCENE, "simpleray: " + picture + (Files.exists(path) ? ": is a folder" : ": no such file"));
         }
         return PictureScene.read(path);
     }
 
     /** Makes sure that scene and meshes are those of the picture, so that a difference is one of rendering. */
-    private void requireSame(PictureScene told, SceneFile file) throws Failure {
+    private void requireSame(PictureScene told, SceneFile file) throws CommandException {
         if (!file.text().sha256().equals(told.text().sha256())) {
-            throw new Failure(ExitCode.BAD_SCENE, "simpleray: " + scene + ": is not the scene that " + picture
+            throw new CommandException(ExitCode.BAD_SCENE, "simpleray: " + scene + ": is not the scene that " + picture
                 + " was made of: its SHA-256 is " + file.text().sha256() + ", and was " + told.text().sha256());
         }
         List<String> changed = told.changed(file.text().meshes());
         if (!changed.isEmpty()) {
-            throw new Failure(ExitCode.BAD_SCENE, "simpleray: " + picture + ": was made of other meshes: " + String.join(", ", changed));
+            throw new CommandException(ExitCode.BAD_SCENE, "simpleray: " + picture + ": was made of other meshes: " + String.join(", ", changed));
         }
     }
 
-    private int compare(Renderer renderer, PictureScene told) throws IOException, Failure {
+    private int compare(Renderer renderer, PictureScene told) throws IOException, CommandException {
         Picture rendered = renderer.picture();
         HeapCheck.require("a picture of " + rendered.width() + 'x' + rendered.height(),
             renderer.bytesNeeded() + 3L * rendered.width() * renderer.rowsAhead());
@@ -125,7 +125,7 @@ final class VerifyCommand implements Callable<Integer> {
         }
     }
 
-    private int report(RowsCheck check, Picture rendered, PictureScene told) throws Failure {
+    private int report(RowsCheck check, Picture rendered, PictureScene told) throws CommandException {
         Pixel first = check.first();
         long all = (long) rendered.width() * rendered.height();
         String other = told.software().equals(Provenance.SOFTWARE) ? "" : " (made by " + told.software() + ", rendered again by "

@@ -73,10 +73,10 @@ final class ViewCommand implements PlainCommand {
     }
 
     @Override
-    public Integer call() throws Failure {
+    public Integer call() throws CommandException {
         RenderRequest request = picture.request(stage.stage(), Runtime.getRuntime().availableProcessors());
         if (!Viewer.hasDisplay()) {
-            throw new Failure(ExitCode.NO_DISPLAY, "simpleray: there is no display for a window; simpleray render works without one");
+            throw new CommandException(ExitCode.NO_DISPLAY, "simpleray: there is no display for a window; simpleray render works without one");
         }
         Picture asked = request.renderer(new Scene()).picture();
         HeapCheck.require("a picture of " + asked.width() + 'x' + asked.height(),
@@ -85,7 +85,7 @@ final class ViewCommand implements PlainCommand {
         return ExitCode.DONE;
     }
 
-    private SceneSource source() throws Failure {
+    private SceneSource source() throws CommandException {
         if (scene == null) {
             return SceneSource.NONE;
         }
@@ -95,7 +95,7 @@ final class ViewCommand implements PlainCommand {
         try {
             return SceneSource.text(main.in().readAllBytes(), outside.reach());
         } catch (IOException e) {
-            throw new Failure(ExitCode.NO_SCENE, "simpleray: <stdin>: cannot be read: " + e.getMessage());
+            throw new CommandException(ExitCode.NO_SCENE, "simpleray: <stdin>: cannot be read: " + e.getMessage());
         }
     }
 }

@@ -44,11 +44,11 @@ final class WorkOptions {
     /**
      * Finds the number of threads.
      *
-     * @throws Failure if it is out of its range
+     * @throws CommandException if it is out of its range
      */
-    int threads() throws Failure {
+    int threads() throws CommandException {
         if (threads != null && (threads < 1 || threads > MAX_THREADS)) {
-            throw Failure.usage("--threads must be 1 to " + MAX_THREADS + ", and is " + threads);
+            throw CommandException.usage("--threads must be 1 to " + MAX_THREADS + ", and is " + threads);
         }
         return threads == null ? Runtime.getRuntime().availableProcessors() : threads;
     }
