@@ -4,10 +4,7 @@ import java.io.FileDescriptor;
 import java.io.FileOutputStream;
 import java.io.IOException;
 import simpleray.cli.Main;
-import simpleray.math.Bounds;
-import simpleray.math.Point;
 import simpleray.math.Ray;
-import simpleray.math.Vector;
 import simpleray.text.SceneReader;
 import simpleray.text.SceneWriter;
 
@@ -15,11 +12,7 @@ import simpleray.text.SceneWriter;
  * The program with one more kind of object, 99, which throws when a ray asks for a hit; to be run in a virtual machine of its
  * own. With the property {@code memory} it throws what Java does when there is none left.
  */
-public final class FaultyKind extends Object {
-    private FaultyKind() {
-        super(new Material());
-    }
-
+public final class FaultyKind extends StandIn {
     /** Runs the program. */
     public static void main(String[] args) {
         ObjectKind.TABLE.add(new KindTable.Kind<>(99, "faulty", FaultyKind.class) {
@@ -37,21 +30,6 @@ public final class FaultyKind extends Object {
             throw new OutOfMemoryError("as if there were none left");
         }
         throw new IllegalStateException("a fault of this object");
-    }
-
-    @Override
-    public Vector normal(Point pt) {
-        throw new IllegalStateException("nothing hits this");
-    }
-
-    @Override
-    public Bounds bounds() {
-        return null;
-    }
-
-    @Override
-    public void print(SceneWriter os) {
-        throw new UnsupportedOperationException();
     }
 
     @Override

@@ -47,43 +47,9 @@ class SceneLinesTest {
         Scene scene = new Scene();
         scene.read(reader("1\n1 0 0 1 0" + MATERIAL + "1 1 1  0"));
         scene.setNumberObjects(2);
-        scene.setObject(1, new Nothing());
+        scene.setObject(1, new StandIn());
 
         assertThat(RayTreeRecorder.object(scene, 0)).isEqualTo(new RayTree.Thing(1, "plane", 2));
-        assertThat(RayTreeRecorder.object(scene, 1)).isEqualTo(new RayTree.Thing(2, "Nothing", 0));
-    }
-
-    /** An object that no scene file knows. */
-    private static final class Nothing extends Object {
-        Nothing() {
-            super(new Material());
-        }
-
-        @Override
-        public double intersect(simpleray.math.Ray ray) {
-            return MISS;
-        }
-
-        @Override
-        public simpleray.math.Vector normal(simpleray.math.Point pt) {
-            return new simpleray.math.Vector(0, 0, 1);
-        }
-
-        @Override
-        public simpleray.math.Bounds bounds() {
-            return null;
-        }
-
-        @Override
-        public void print(simpleray.text.SceneWriter os) {
-        }
-
-        @Override
-        public void read(simpleray.text.SceneReader is) {
-        }
-
-        @Override
-        public void write(simpleray.text.SceneWriter os) {
-        }
+        assertThat(RayTreeRecorder.object(scene, 1)).isEqualTo(new RayTree.Thing(2, "StandIn", 0));
     }
 }

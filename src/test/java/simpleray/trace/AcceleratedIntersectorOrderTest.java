@@ -6,7 +6,6 @@ import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
-import simpleray.math.Bounds;
 import simpleray.math.Colour;
 import simpleray.math.Point;
 import simpleray.math.Ray;
@@ -15,14 +14,12 @@ import simpleray.scene.BruteForceIntersector;
 import simpleray.scene.Hit;
 import simpleray.scene.Intersector;
 import simpleray.scene.Material;
-import simpleray.scene.Object;
 import simpleray.scene.Plane;
 import simpleray.scene.PointLight;
 import simpleray.scene.RayStats;
 import simpleray.scene.Scene;
 import simpleray.scene.Sphere;
-import simpleray.text.SceneReader;
-import simpleray.text.SceneWriter;
+import simpleray.scene.StandIn;
 
 /** Which objects are asked, and in which order they dim a light. */
 class AcceleratedIntersectorOrderTest {
@@ -101,7 +98,7 @@ class AcceleratedIntersectorOrderTest {
     }
 
     /** A half-space, y below -1, which no box holds and which is no plane. */
-    private static final class Ground extends Object {
+    private static final class Ground extends StandIn {
         private final Plane surface = new Plane(new Material(), new Vector(0, 1, 0), -1);
 
         Ground(Material material) {
@@ -116,26 +113,6 @@ class AcceleratedIntersectorOrderTest {
         @Override
         public Vector normal(Point pt) {
             return surface.normal(pt);
-        }
-
-        @Override
-        public Bounds bounds() {
-            return null;
-        }
-
-        @Override
-        public void print(SceneWriter os) {
-            throw new UnsupportedOperationException();
-        }
-
-        @Override
-        public void read(SceneReader is) {
-            throw new UnsupportedOperationException();
-        }
-
-        @Override
-        public void write(SceneWriter os) {
-            throw new UnsupportedOperationException();
         }
     }
 
