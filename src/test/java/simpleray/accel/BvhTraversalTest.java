@@ -12,65 +12,32 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What the tree shows is enough: the nearest box, and whether one is in the way, are those that a look at each box finds. */
-class BvhTraversalTest {
+class BvhTraversalTest extends TraversalTest {
     private static final long SEED = 2013;
-    private static final int RAYS = 20_000;
-    private static final double INFINITY = Double.POSITIVE_INFINITY;
     /** From x = 1, y = 2, z = 3 to 2, 4, 6. */
     private static final double[] BOX = {1, 2, 3, 2, 4, 6};
 
-    private double[][] boxes;
     private Bvh bvh;
-    private BoxIntersector walked;
-    private BoxIntersector looped;
     private BvhTraversal traversal;
 
-    private void build(double[]... newBoxes) {
-        boxes = newBoxes;
-        try (Pool pool = new Pool(1)) {
-            PrimitiveBounds bounds = Boxes.bounds(boxes, pool);
-            bvh = Bvh.of(bounds, pool);
-            walked = new BoxIntersector(boxes, bounds.ids());
-            looped = new BoxIntersector(boxes, bounds.ids());
-        }
+    BvhTraversalTest() {
+        super(SEED);
+    }
+
+    @Override
+    void build(PrimitiveBounds bounds, Pool pool) {
+        bvh = Bvh.of(bounds, pool);
         traversal = new BvhTraversal(walked);
     }
 
-    private void closest(double[] ray, double limit) {
-        walked.start(ray, limit);
+    @Override
+    void traverseClosest(double[] ray, double limit) {
         traversal.closest(bvh, ray[0], ray[1], ray[2], ray[3], ray[4], ray[5], limit);
     }
 
-    private boolean occluded(double[] ray, double distance) {
-        walked.start(ray, distance);
+    @Override
+    boolean traverseOccluded(double[] ray, double distance) {
         return traversal.occluded(bvh, ray[0], ray[1], ray[2], ray[3], ray[4], ray[5], distance);
-    }
-
-    /** Compares the tree with the loop; returns whether the ray hits. */
-    private boolean compared(double[] ray, String where) {
-        looped.start(ray, INFINITY);
-        looped.closestOfAll();
-        double t = looped.t;
-        closest(ray, INFINITY);
-        assertThat(walked.id).as(where).isEqualTo(looped.id);
-        assertThat(walked.t).as(where).isEqualTo(t);
-        assertThat(occluded(ray, t)).as(where + ": before the nearest").isFalse();
-        assertThat(occluded(ray, Math.nextUp(t))).as(where + ": up to the nearest").isEqualTo(t < INFINITY);
-        assertThat(occluded(ray, INFINITY)).as(where + ": anywhere").isEqualTo(t < INFINITY);
-        return t < INFINITY;
-    }
-
-    @ParameterizedTest
-    @CsvSource({"1, 1", "2, 1", "9, 0.5", "30, 3", "300, 0.3", "2000, 0.1", "300, 0"})
-    void theTreeFindsWhatALookAtEachBoxFinds(int count, double size) {
-        Random random = new Random(SEED);
-        build(Boxes.withTwins(random, count, size));
-        int hits = 0;
-        for (int i = 0; i < RAYS / 4; i++) {
-            hits += compared(Boxes.ray(random, boxes), "seed " + SEED + ", ray " + i) ? 1 : 0;
-        }
-        assertThat(hits).as("rays that hit").isBetween(RAYS / 16, RAYS / 4 - 1);
     }
 
     @ParameterizedTest

@@ -11,65 +11,32 @@ import simpleray.math.Point;
 import simpleray.math.Ray;
 import simpleray.math.Vector;
 
-/** What the grid shows is enough: the nearest box, and whether one is in the way, are those that a look at each box finds. */
-class GridTraversalTest {
+class GridTraversalTest extends TraversalTest {
     private static final long SEED = 1987;
-    private static final double INFINITY = Double.POSITIVE_INFINITY;
 
-    private double[][] boxes;
-    private BoxIntersector walked;
-    private BoxIntersector looped;
     private GridTraversal traversal;
 
-    private void build(double[]... newBoxes) {
-        boxes = newBoxes;
-        try (Pool pool = new Pool(1)) {
-            PrimitiveBounds bounds = Boxes.bounds(boxes, pool);
-            UniformGrid grid = UniformGrid.of(bounds, true, pool).fill();
-            walked = new BoxIntersector(boxes, bounds.ids());
-            looped = new BoxIntersector(boxes, bounds.ids());
-            traversal = new GridTraversal(grid, walked);
-        }
+    GridTraversalTest() {
+        super(SEED);
+    }
+
+    @Override
+    void build(PrimitiveBounds bounds, Pool pool) {
+        traversal = new GridTraversal(UniformGrid.of(bounds, true, pool).fill(), walked);
+    }
+
+    @Override
+    void traverseClosest(double[] ray, double limit) {
+        traversal.closest(ray(ray), limit);
+    }
+
+    @Override
+    boolean traverseOccluded(double[] ray, double distance) {
+        return traversal.occluded(ray(ray), distance);
     }
 
     private static Ray ray(double[] numbers) {
         return new Ray(new Point(numbers[0], numbers[1], numbers[2]), new Vector(numbers[3], numbers[4], numbers[5]));
-    }
-
-    private void closest(double[] ray, double limit) {
-        walked.start(ray, limit);
-        traversal.closest(ray(ray), limit);
-    }
-
-    private boolean occluded(double[] ray, double distance) {
-        walked.start(ray, distance);
-        return traversal.occluded(ray(ray), distance);
-    }
-
-    /** Compares the grid with the loop; returns whether the ray hits. */
-    private boolean compared(double[] ray, String where) {
-        looped.start(ray, INFINITY);
-        looped.closestOfAll();
-        double t = looped.t;
-        closest(ray, INFINITY);
-        assertThat(walked.id).as(where).isEqualTo(looped.id);
-        assertThat(walked.t).as(where).isEqualTo(t);
-        assertThat(occluded(ray, t)).as(where + ": before the nearest").isFalse();
-        assertThat(occluded(ray, Math.nextUp(t))).as(where + ": up to the nearest").isEqualTo(t < INFINITY);
-        assertThat(occluded(ray, INFINITY)).as(where + ": anywhere").isEqualTo(t < INFINITY);
-        return t < INFINITY;
-    }
-
-    @ParameterizedTest
-    @CsvSource({"1, 1", "2, 1", "9, 0.5", "30, 3", "300, 0.3", "2000, 0.1", "300, 0"})
-    void theGridFindsWhatALookAtEachBoxFinds(int count, double size) {
-        Random random = new Random(SEED);
-        build(Boxes.withTwins(random, count, size));
-        int hits = 0;
-        for (int i = 0; i < 5000; i++) {
-            hits += compared(Boxes.ray(random, boxes), "seed " + SEED + ", ray " + i) ? 1 : 0;
-        }
-        assertThat(hits).as("rays that hit").isBetween(1250, 4999);
     }
 
     /** The eight corners of a cube of 27 cells: through its middle there are three, and nothing in them. */
