@@ -20,8 +20,8 @@ import simpleray.render.Renderer;
 @TestMethodOrder(MethodOrderer.OrderAnnotation.class)
 class RandomPicturesTest {
     private static final long SEED = 20261122;
-    private static final int SCENES = 10_000;
-    private static final int SCENES_OF_BOTH = 2_000;
+    private static final int SCENES = Sample.size(10_000, 1000);
+    private static final int SCENES_OF_BOTH = Sample.size(2_000, 200);
 
     private static long[] sums;                               // found once, for both tests
 

@@ -10,16 +10,21 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
+import org.junit.jupiter.params.provider.MethodSource;
 import simpleray.Project;
+import simpleray.Sample;
 
 /** The engine changes no byte of a picture, however many threads work. */
 class AccelOptionTest {
     @TempDir
     Path folder;
 
+    static List<String> scenes() {
+        return Sample.of(List.of("thesis", "many-spheres", "glass", "mesh", "cylinders", "light-ring", "free-camera", "odd-planes"), 3);
+    }
+
     @ParameterizedTest
-    @ValueSource(strings = {"thesis", "many-spheres", "glass", "mesh", "cylinders", "light-ring", "free-camera", "odd-planes"})
+    @MethodSource("scenes")
     void theLoopAndTheEngineMakeTheSameFile(String name) throws IOException {
         byte[] loop = render(name, "--accel", "none");
 

@@ -29,7 +29,7 @@ class InterruptedRenderTest {
         Files.writeString(folder.resolve("slow.scene"), "2  1 0 0 1 -2" + mirror + "1 0 0 1 4" + mirror + "1 1 1  0");
         Files.writeString(folder.resolve("slow.png"), "the old picture");
         Process process = Program.program(folder, List.of(), "render", "slow.scene", "-o", "slow.png", "--depth", "1000", "--threads", "1",
-            "--size", "10x4000", "--samples", "2", "--progress", "plain").start();
+            "--size", "4x4000", "--samples", "2", "--progress", "plain").start();
         assumeTrue(process.supportsNormalTermination(), "no SIGTERM here");
         try (BufferedReader err = process.errorReader()) {
             assertThat(err.readLine()).startsWith(" 10 %, 400 of 4000 rows, ");

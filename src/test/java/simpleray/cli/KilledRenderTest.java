@@ -16,6 +16,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import simpleray.Project;
+import simpleray.Sample;
 
 /**
  * Renderings that are killed (SIGKILL), go on, are killed again, until their picture is whole: it is that of one that was never killed,
@@ -23,9 +24,9 @@ import simpleray.Project;
  * many in the middle. The seed is printed, and another may be given as the system property simpleray.seed.
  */
 class KilledRenderTest {
-    private static final int KILLS = 200;
+    private static final int KILLS = Sample.size(200, 20);
     /** Kills at the start, before any row, show little; of as many, these at least are to be later. */
-    private static final int LATE_KILLS = 20;
+    private static final int LATE_KILLS = Sample.size(20, 2);
     private static final int SERIES = 2;
     private static final double LATEST = 0.9;
 
@@ -36,7 +37,7 @@ class KilledRenderTest {
     private final AtomicInteger pictures = new AtomicInteger();
 
     @Test
-    @Timeout(value = 300, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
+    @Timeout(value = 900, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
     void aKilledRenderingGoesOnToTheSamePicture() throws IOException {
         long seed = Long.getLong("simpleray.seed", System.nanoTime());
         System.out.println("KilledRenderTest: seed " + seed + " (-Dsimpleray.seed=" + seed + ")");

@@ -9,6 +9,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Random;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -94,6 +95,7 @@ class LittleMemoryTest {
     }
 
     /** It ends on a thread that reads, digests or makes the scene ready, now on this one and now on that. */
+    @Tag("slow")
     @ParameterizedTest
     @CsvSource({"300000, 2", "300000, 8", "300000, 8", "1000000, 2"})
     void manySpheresThatDoNotFitAreRefused(int n, String threads) throws IOException, InterruptedException {

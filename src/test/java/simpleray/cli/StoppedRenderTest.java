@@ -13,6 +13,7 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -108,6 +109,7 @@ class StoppedRenderTest {
     }
 
     /** Takes a little more than the 10 s after which rows are kept. */
+    @Tag("slow")
     @Test
     void aRenderingThatLastsKeepsItsRowsFromTheFirstOn() throws IOException, InterruptedException {
         long begin = System.nanoTime();

@@ -6,6 +6,7 @@ import java.io.BufferedWriter;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import simpleray.image.Picture;
@@ -20,6 +21,7 @@ class MillionTrianglesTest {
     private static final int DOWN = 500;
     private static final int SIZE = 50;
 
+    @Tag("slow")
     @Test
     void aMillionTrianglesAreReadAndRendered(@TempDir Path folder) throws IOException {
         writeGrid(folder.resolve("grid.obj"));

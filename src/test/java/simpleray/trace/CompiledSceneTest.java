@@ -9,6 +9,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import simpleray.RandomScenes;
+import simpleray.Sample;
 import simpleray.math.Colour;
 import simpleray.math.Point;
 import simpleray.math.Ray;
@@ -23,7 +24,7 @@ import simpleray.scene.WhittedIntegrator;
 /** The compiled scene's colours are those of the thesis's loop over all objects, bit for bit. */
 class CompiledSceneTest {
     private static final long SEED = 19860101;
-    private static final int SCENES = 10_000;
+    private static final int SCENES = Sample.size(10_000, 1000);
     private static final int SIDE = 6;
     private static final int DEPTH = 3;
 

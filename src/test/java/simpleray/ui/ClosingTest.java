@@ -71,7 +71,7 @@ class ClosingTest {
     @Test
     void aPictureThatIsBeingSavedIsSavedToTheEnd(@TempDir Path folder) throws Exception {
         Path saved = folder.resolve("large.png");
-        Thread viewing = view(SceneSource.file(TestScenes.MIRRORS), 900);
+        Thread viewing = view(SceneSource.file(TestScenes.THESIS), 900);
         ViewerFrame frame = OpenWindow.appears("the window", ViewerFrame.class, f -> f.isFocused() && f.picture().whole() != null);
         Screen screen = new Screen();
         screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_S);
@@ -81,7 +81,7 @@ class ClosingTest {
 
         untilEnded(viewing);
         assertThat(saved).exists();
-        BufferedImage expected = TestScenes.rendered(TestScenes.MIRRORS, 900, 900);
+        BufferedImage expected = TestScenes.rendered(TestScenes.THESIS, 900, 900);
         assertThat(Screen.shows(ImageIO.read(saved.toFile()), 0, 0, expected, 0, 900)).isTrue();
         Screen.until("all threads end", () -> OpenWindow.threads().isEmpty());
     }

@@ -12,6 +12,7 @@ import java.util.stream.Collectors;
 import javax.swing.Timer;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import simpleray.render.RenderRequest;
 import simpleray.scene.PerspectiveCamera.Pose;
@@ -71,6 +72,7 @@ class FirstLightTest {
         assertNeverHeld(4);
     }
 
+    @Tag("slow")
     @Test
     void norByALargePicture() {
         window.close();

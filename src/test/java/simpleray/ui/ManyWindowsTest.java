@@ -8,18 +8,19 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
+import simpleray.Sample;
 
 /** Windows come and go, and leave nothing behind. */
 class ManyWindowsTest {
-    private static final int CYCLES = 1000;
-    private static final int WARM = 200;
+    private static final int CYCLES = Sample.size(1000, 100);
+    private static final int WARM = CYCLES / 5;
     private static final long MEBIBYTE = 1 << 20;
     /** The limit is 500 ms; tests share their machine with others, so they allow five times as much, and print what it was. */
     private static final double SLACK = 5;
 
     /** A window is made with its native peer and begins to render, but is not shown: that would take the test minutes. */
     @Test
-    void aThousandWindowsThatOpenedRenderedAndClosedLeaveNoThreadAndNoHeap() throws InterruptedException {
+    void manyWindowsThatOpenedRenderedAndClosedLeaveNoThreadAndNoHeap() throws InterruptedException {
         OpenWindow.run(FlatLightLaf::setup);
         List<WeakReference<ViewerFrame>> frames = new ArrayList<>();
         long early = 0;

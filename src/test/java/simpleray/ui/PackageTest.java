@@ -13,6 +13,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.spi.ToolProvider;
 import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import simpleray.Project;
@@ -46,6 +47,7 @@ class PackageTest {
         }
     }
 
+    @Tag("slow")
     @Test
     void theJavaInThePackageHasEveryModuleThatTheProgramNeeds() throws IOException {
         StringWriter needed = new StringWriter();

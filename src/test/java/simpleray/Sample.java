@@ -1,0 +1,30 @@
+package simpleray;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Random;
+
+/**
+ * How much the long tests try: everything by {@code ./check --all}, which sets the system property {@code simpleray.all}, and else a small
+ * sample, the same one each time. What no sample makes short is tagged {@code slow} and left out.
+ */
+public final class Sample {
+    private static final boolean ALL = Boolean.getBoolean("simpleray.all");
+    private static final long SEED = 20261129;
+
+    private Sample() {
+    }
+
+    /** {@return how many are to be tried: all or a few} */
+    public static int size(int all, int few) {
+        return ALL ? all : few;
+    }
+
+    /** {@return what is to be tried: all, or a few at random} */
+    public static <T> List<T> of(List<T> all, int few) {
+        List<T> some = new ArrayList<>(all);
+        Collections.shuffle(some, new Random(SEED));
+        return ALL ? all : some.subList(0, Math.min(few, all.size()));
+    }
+}
