@@ -13,7 +13,7 @@ import org.junit.jupiter.api.io.TempDir;
 
 /** A pipe or a device in place of an OBJ might never end, or never begin: nobody waits for it. */
 @Timeout(value = 60, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
-class PipesTest {
+class MeshFilesPipesTest {
     @TempDir
     private Path folder;
 

@@ -10,7 +10,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import simpleray.text.SceneFormatException;
 
 /** Settings that stand alone, as a picture carries them. */
-class SettingsLinesTest {
+class SceneSettingsLinesTest {
     private static final String LINES = """
         background 0.1 0.2 0.3
         window -1.0 2.0 -3.0 4.0

@@ -11,7 +11,7 @@ import simpleray.Project;
 import simpleray.text.Problem;
 import simpleray.text.SceneFormatException;
 
-class PrefixesTest {
+class SceneFilePrefixesTest {
     private static final int COUNT_OF_LIGHTS = 47;
 
     @Test

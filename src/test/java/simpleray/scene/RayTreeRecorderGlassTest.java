@@ -20,7 +20,7 @@ import simpleray.scene.RayTree.Lamp;
 import simpleray.scene.RayTree.Verdict;
 
 /** Ray trees of glass, of tinted shadows and of lamps. */
-class GlassRayTreeTest {
+class RayTreeRecorderGlassTest {
     private static final int DEPTH = 5;
 
     private static Material glass(Colour tint, double index) {

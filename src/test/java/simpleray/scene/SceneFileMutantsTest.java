@@ -23,7 +23,7 @@ import simpleray.text.SceneWriter;
  * A million mutants of all sample scenes and of their OBJ, of which the sample takes 40,000: each is a scene, or has errors with line and
  * column, within 2 s and 64 MB. Of long scenes the mutants are of the first objects and lights and, less often, of the whole.
  */
-class MutantsTest {
+class SceneFileMutantsTest {
     private static final int ALL_BATCHES = 200;
     private static final int BATCHES = Sample.size(ALL_BATCHES, 8);
     private static final int MUTANTS = 5000 * BATCHES;
@@ -43,7 +43,7 @@ class MutantsTest {
             whole.add(Files.readAllBytes(Project.scene(name)));
         }
         whole.add(Arrays.copyOf(Files.readAllBytes(Project.scene("mesh").resolveSibling("knot.obj")), 1 << 13));
-        List<byte[]> shortened = whole.stream().map(MutantsTest::shortened).toList();
+        List<byte[]> shortened = whole.stream().map(SceneFileMutantsTest::shortened).toList();
         AtomicLong scenes = new AtomicLong();
         AtomicLong errors = new AtomicLong();
 

@@ -18,7 +18,7 @@ import simpleray.math.Vector;
  * The terms of the colour, by hand. Nearly everywhere the ray comes down the z axis onto the plane z = 0 at the origin, and the light
  * is at (3,0,4): N = V = (0,0,1), L = (0.6,0,0.8), N·L = 0.8; L + V = (0.6,0,1.8), whose square is 3.6, so (N·H)² = 3.24 / 3.6 = 0.9.
  */
-class LocalLightingTest {
+class WhittedIntegratorLocalTest {
     private static final double ROUNDING = 1e-15;
     private static final Colour BLACK = grey(0);
 

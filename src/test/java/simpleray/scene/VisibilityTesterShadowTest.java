@@ -21,7 +21,7 @@ import simpleray.math.Vector;
  * The ray comes down the z axis onto the plane z = 0 at the origin, and the light is at (3,0,4), 5 away along (0.6,0,0.8). Lit, the
  * place is 0.25 + 0.5 · 0.8 = 0.65; in shadow it is 0.25.
  */
-class ShadowTest {
+class VisibilityTesterShadowTest {
     private static final double LIT = 0.65;
     private static final double SHADOWED = 0.25;
     private static final double ROUNDING = 1e-15;

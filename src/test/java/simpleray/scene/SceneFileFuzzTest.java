@@ -12,7 +12,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import simpleray.Project;
 
 /** What the fuzzer begins with, and what it found, read once more; a new crash is put into the folder crashes. */
-class FuzzReplayTest {
+class SceneFileFuzzTest {
     static List<Path> files() throws IOException {
         try (Stream<Path> files = Files.walk(Project.root().resolve("src/test/resources/fuzz"))) {
             return files.filter(file -> Files.isRegularFile(file) && !file.toString().endsWith(".dict")).sorted().toList();

@@ -23,7 +23,7 @@ import simpleray.math.Vector;
  * The ray comes down the z axis onto the plane z = 0 at the origin, and the light is at (3,0,4), 5 away along (0.6,0,0.8). Lit, the
  * place is 0.25 + 0.5 · 0.8 = 0.65; behind glass it is 0.25 + 0.4 Kt.
  */
-class GlassShadowTest {
+class VisibilityTesterGlassTest {
     private static final Offset<Double> ROUNDING = within(1e-15);
     private static final Colour TINT = new Colour(0.5, 0.25, 1);
 

@@ -25,7 +25,7 @@ import simpleray.math.Vector;
  * Snell's law: sin 45° / 1.5 = √2/3 is the sine inside, √7/3 its cosine. The glass lies below z = 0, for the plane's normal is
  * (0,0,1). A ray hits a glowing ball of radius 0.000001 only if it goes where it should.
  */
-class RefractionTest {
+class WhittedIntegratorRefractionTest {
     private static final Offset<Double> ROUNDING = within(1e-14);
     private static final int DEPTH = 10;
     private static final double S = Math.sqrt(0.5);

@@ -20,7 +20,7 @@ import simpleray.math.Ray;
 import simpleray.math.Vector;
 
 /** Total internal reflection in glass of n = 1.5: beyond the critical angle, whose sine is 1/1.5 = 2/3. The glass lies below z = 0. */
-class TotalReflectionTest {
+class WhittedIntegratorTotalReflectionTest {
     private static final Offset<Double> ROUNDING = within(1e-14);
     private static final int DEPTH = 10;
 

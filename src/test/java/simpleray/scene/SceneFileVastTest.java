@@ -19,7 +19,7 @@ import simpleray.text.SceneFormatException;
  * processor time, for which the test allows four times as much because it is measured with the counters of the coverage in every loop.
  */
 @Tag("slow")
-class VastFilesTest {
+class SceneFileVastTest {
     private static final long MAX_BYTES = 64L << 20;
     private static final long MAX_NANOS = 4 * 2_000_000_000L;
     private static final long LINE = 100_000_000;

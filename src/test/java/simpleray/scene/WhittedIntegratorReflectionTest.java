@@ -21,7 +21,7 @@ import simpleray.math.Colour;
 import simpleray.math.Point;
 import simpleray.math.Vector;
 
-class ReflectionTest {
+class WhittedIntegratorReflectionTest {
     private static final double ROUNDING = 1e-15;
     private static final int DEPTH = 10;
 

@@ -19,9 +19,9 @@ import simpleray.math.Vector;
 
 /**
  * Which side of a surface a light shines on. The ray comes down the z axis onto the plane z = 0 at the origin; seen from there a light
- * at (3,0,4) has N·L = 0.8 and (N·H)² = 0.9 (see {@link LocalLightingTest}).
+ * at (3,0,4) has N·L = 0.8 and (N·H)² = 0.9 (see {@link WhittedIntegratorLocalTest}).
  */
-class FacingTest {
+class WhittedIntegratorFacingTest {
     private static final double ROUNDING = 1e-15;
     private static final Colour BLACK = grey(0);
 

@@ -14,7 +14,7 @@ import simpleray.math.Point;
 import simpleray.math.Vector;
 
 /** Objects of n = 1 and Kt = 1 that send back no light themselves: a picture is the same with and without them. */
-class InvisibleGlassTest {
+class WhittedIntegratorInvisibleGlassTest {
     private static final Offset<Double> CLOSE = within(1e-9);
     private static final int SIDE = 24;
     private static final int DEPTH = 10;

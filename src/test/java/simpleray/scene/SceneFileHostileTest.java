@@ -13,7 +13,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** What is said of each hostile file is what lies beside it. */
-class HostileFilesTest {
+class SceneFileHostileTest {
     private static final int MIN = 500;
     private static final Locale DEFAULT = Locale.getDefault();
 

@@ -11,7 +11,7 @@ import simpleray.text.Problem;
 import simpleray.text.SceneFormatException;
 
 /** The largest numbers that a shape may have are good, and the next ones are not. */
-class ExtremesTest {
+class LengthsTest {
     private static final String MATERIAL = "  1 1 1  1 1 1  0 0 0  2";
     private static final String END = "\n0 0 0\n0\n";
 

@@ -16,7 +16,7 @@ import simpleray.math.Ray;
 import simpleray.math.Vector;
 
 /** Closed surfaces of triangles, and rays that aim at the seams. */
-class WatertightTest {
+class TriangleWatertightTest {
     private static final long SEED = 20130228;
     private static final int RAYS = 200_000;
     /** How far from the point aimed at a hit may be, in radii: rays come from up to 20 radii away. */

@@ -14,7 +14,7 @@ import simpleray.math.Colour;
 import simpleray.text.SceneReader;
 
 /** Transmission in a scene file: {@code transmit r g b n} after the shininess. */
-class GlassTextTest {
+class MaterialGlassTextTest {
     private static final String MATT = "1 1 1  1 1 1  0 0 0  2";
 
     @ParameterizedTest
