@@ -15,7 +15,7 @@ import simpleray.scene.SceneFile;
 import simpleray.scene.SceneSettings.Resolution;
 
 /** A simple camera and the free one in its place make one picture. */
-class FreeViewPictureTest {
+class RendererFreeViewTest {
     @ParameterizedTest
     @CsvSource({"thesis, 120, 90", "thesis, 200, 200", "open-floor, 90, 120", "many-spheres, 100, 70"})
     void noLevelOfThePictureDiffersByMoreThanOne(String name, int width, int height) throws IOException {

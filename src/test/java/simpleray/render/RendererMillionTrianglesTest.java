@@ -16,7 +16,7 @@ import simpleray.scene.SceneFile;
 import simpleray.scene.SimpleCamera;
 
 /** A mesh of a million triangles is nothing out of the ordinary. The time is told, not judged. */
-class MillionTrianglesTest {
+class RendererMillionTrianglesTest {
     private static final int ACROSS = 1000;
     private static final int DOWN = 500;
     private static final int SIZE = 50;

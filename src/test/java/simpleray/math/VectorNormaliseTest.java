@@ -8,7 +8,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** The length that a vector had, told while it gets the length 1. */
-class MeasuredVectorTest {
+class VectorNormaliseTest {
     /** A few roundings of numbers near 1. */
     private static final double ROUNDING = 4e-16;
 

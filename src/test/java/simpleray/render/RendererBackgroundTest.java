@@ -13,7 +13,7 @@ import simpleray.scene.Scene;
 import simpleray.scene.SimpleCamera;
 
 /** What rays see that hit nothing. */
-class BackgroundTest {
+class RendererBackgroundTest {
     private static final String SKY = "background 0.5 0.25 1";
     private static final double[] SKY_SEEN = {0.5, 0.25, 1};
     private static final double[] BLACK = {0, 0, 0};

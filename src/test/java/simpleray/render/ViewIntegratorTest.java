@@ -17,7 +17,7 @@ import simpleray.scene.Scene;
 import simpleray.scene.SimpleCamera;
 
 /** The stages that show something else than light, with numbers that follow from their definitions. */
-class ViewsTest {
+class ViewIntegratorTest {
     private static final String MATT = "  1 1 1  1 1 1  0 0 0  1\n";
     private static final String LIGHT = "0 0 0  1  0  1 1 1  0 0 2\n";
 
