@@ -12,7 +12,7 @@ import simpleray.math.Ray;
 import simpleray.render.Stage;
 
 /** Cancelling a rendering while a finished picture is shown. */
-class CancelTest {
+class RenderingCancelTest {
     private static final int SIDE = 100;
 
     private final AtomicReference<Consumer<Ray>> hurdle = new AtomicReference<>(ray -> { });

@@ -14,7 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Closing the window. */
-class ClosingTest {
+class ViewerFrameClosingTest {
     private static final int SIDE = 200;
     private OpenWindow window;
 

@@ -18,7 +18,7 @@ import org.junit.jupiter.api.io.TempDir;
 import simpleray.cli.Main;
 
 /** File > Save Picture As…, through the dialog and by the keyboard. */
-class SavePictureTest {
+class PictureDialogsSaveTest {
     private static final byte[] OLD = "an old picture".getBytes(StandardCharsets.US_ASCII);
 
     @TempDir

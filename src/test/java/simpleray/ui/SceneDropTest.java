@@ -27,7 +27,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Files dropped on the window. */
-class DropTest {
+class SceneDropTest {
     private static final int SIDE = 64;
 
     @TempDir

@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Each problem is a link to its place in the scene's text. */
-class ProblemLinksTest {
+class ProblemsPaneLinksTest {
     private static final String BAD = "2\n1  0 0 1 -1  0.2 0.4 oops  0 0 0  0 0 0  0\n"
         + "1  0 0 1 -1  0.2 0.4 0  0 0 0  0 bad 0  0\n1 1 1\n0\n";
 

@@ -23,7 +23,7 @@ import org.junit.jupiter.api.io.TempDir;
 import simpleray.render.Stage;
 
 /** Comparing the last pictures, clipped pixels and the histogram, by keys and mouse. */
-class CompareTest {
+class CompareViewTest {
     private static final int WIDTH = 120;
     private static final int HEIGHT = 90;
 

@@ -7,7 +7,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
 /** A rendering that is held for a while. */
-class PauseTest {
+class RenderingPauseTest {
     private static final int SIDE = 100;
 
     private final TestScenes.Gate gate = new TestScenes.Gate(0, SIDE);
@@ -23,7 +23,7 @@ class PauseTest {
     void spaceHoldsTheRenderingAndLetsItGoOn() {
         pauseHalfWay();
         gate.open();
-        Screen.until("its threads wait", PauseTest::workersWait);
+        Screen.until("its threads wait", RenderingPauseTest::workersWait);
 
         Screen.until("the status bar says so", () -> window.status().matches("Paused: 50 of 100 rows, [\\d.:]+ (s|min)"));
         assertThat(OpenWindow.ask(window.item("Pause")::isSelected)).isTrue();

@@ -18,7 +18,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import simpleray.scene.PerspectiveCamera.Pose;
 
 /** The camera, moved by mouse and keys. The wall it looks at is 3 units away, half of what it shows there is 3 high, in 60 pixels. */
-class CameraTest {
+class CameraToolTest {
     private static final int WIDTH = 90;
     private static final int HEIGHT = 60;
     private static final Offset<Double> ROUNDING = within(1e-9);

@@ -12,7 +12,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import simpleray.render.Stage;
 
 /** The keys, pressed on a keyboard. */
-class KeysTest {
+class ViewerMenusKeysTest {
     private OpenWindow window;
 
     @BeforeEach

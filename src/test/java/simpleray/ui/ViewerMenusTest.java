@@ -13,7 +13,7 @@ import org.junit.jupiter.api.Test;
 import simpleray.render.Stage;
 
 /** The menus, with the mouse. */
-class MenusTest {
+class ViewerMenusTest {
     private OpenWindow window;
 
     @BeforeEach

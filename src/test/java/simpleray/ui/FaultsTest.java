@@ -10,7 +10,7 @@ import simpleray.math.Ray;
 import simpleray.scene.SceneFile;
 
 /** A program that fails at some rows: it says so, marks them, and shows the others. */
-class RowFaultsTest {
+class FaultsTest {
     private static final int SIDE = 100;
     private OpenWindow window;
 
