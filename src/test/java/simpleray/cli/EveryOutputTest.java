@@ -182,7 +182,7 @@ class EveryOutputTest {
     @ParameterizedTest
     @MethodSource("streams")
     void standardOutputIsWrittenAsItShould(String line) {
-        assumeTrue(!line.startsWith("bench"), "BenchTest has it");
+        assumeTrue(!line.startsWith("bench"), "BenchCommandTest has it");
 
         Program.Result result = run(line);
 

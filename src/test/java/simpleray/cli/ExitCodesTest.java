@@ -11,7 +11,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What goes wrong is said in one message, and by the exit code. Wrong usage: UsageTest; streams: BrokenStreamsTest. */
+/** What goes wrong is said in one message, and by the exit code. Wrong usage: CommandsUsageTest; streams: BrokenStreamsTest. */
 class ExitCodesTest {
     @TempDir
     Path folder;

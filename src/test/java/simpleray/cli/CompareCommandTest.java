@@ -14,7 +14,7 @@ import simpleray.Rendered;
 import simpleray.image.Picture;
 import simpleray.image.PngWriter;
 
-class CompareTest {
+class CompareCommandTest {
     @TempDir
     Path folder;
     private String one;

@@ -18,7 +18,7 @@ import simpleray.scene.PictureScene;
 import simpleray.text.Sha256;
 
 /** What the sheets of {@code figures} tell of how they were made. */
-class FiguresTellTest {
+class FiguresCommandTellTest {
     @TempDir
     Path folder;
     private Path scene;

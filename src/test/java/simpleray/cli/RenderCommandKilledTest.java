@@ -23,7 +23,7 @@ import simpleray.Sample;
  * byte for byte. Moments are random, up to nine tenths of the time that an unbroken rendering takes: many come before the first row,
  * many in the middle. The seed is printed, and another may be given as the system property simpleray.seed.
  */
-class KilledRenderTest {
+class RenderCommandKilledTest {
     private static final int KILLS = Sample.size(200, 20);
     /** Kills at the start, before any row, show little; of as many, these at least are to be later. */
     private static final int LATE_KILLS = Sample.size(20, 2);
@@ -40,7 +40,7 @@ class KilledRenderTest {
     @Timeout(value = 900, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
     void aKilledRenderingGoesOnToTheSamePicture() throws IOException {
         long seed = Long.getLong("simpleray.seed", System.nanoTime());
-        System.out.println("KilledRenderTest: seed " + seed + " (-Dsimpleray.seed=" + seed + ")");
+        System.out.println("RenderCommandKilledTest: seed " + seed + " (-Dsimpleray.seed=" + seed + ")");
         List<CompletableFuture<Void>> series = new ArrayList<>();
         for (int i = 0; i < SERIES; i++) {
             String name = "series-" + i;
@@ -58,7 +58,7 @@ class KilledRenderTest {
         }
         series.forEach(CompletableFuture::join);
 
-        System.out.println("KilledRenderTest: " + killed + " kills, " + withRows + " of them with rows kept; " + pictures + " pictures");
+        System.out.println("RenderCommandKilledTest: " + killed + " kills, " + withRows + " of them with rows kept; " + pictures + " pictures");
         assertThat(killed.get()).isGreaterThanOrEqualTo(KILLS);
         assertThat(withRows.get()).isGreaterThanOrEqualTo(LATE_KILLS);
         assertThat(pictures.get()).isGreaterThanOrEqualTo(SERIES);

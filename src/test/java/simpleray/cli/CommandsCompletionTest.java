@@ -13,7 +13,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /** The script that {@code generate-completion} prints, as bash understands it. */
-class CompletionTest {
+class CommandsCompletionTest {
     @TempDir
     Path folder;
     private Path script;

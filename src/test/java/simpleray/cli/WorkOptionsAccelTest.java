@@ -15,7 +15,7 @@ import simpleray.Project;
 import simpleray.Sample;
 
 /** The engine changes no byte of a picture, however many threads work. */
-class AccelOptionTest {
+class WorkOptionsAccelTest {
     @TempDir
     Path folder;
 

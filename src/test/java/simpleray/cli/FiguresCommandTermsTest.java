@@ -20,7 +20,7 @@ import simpleray.scene.SceneSettings;
 import simpleray.scene.SceneSettings.Resolution;
 
 /** The thesis's figure 10: ambient, diffuse and specular light are the lighting. */
-class FiguresTermsTest {
+class FiguresCommandTermsTest {
     private static final Resolution SIZE = new Resolution(41, 37);
 
     static List<Path> scenes() throws IOException {

@@ -24,7 +24,7 @@ import simpleray.image.PngWriter;
 import simpleray.scene.PictureScene;
 
 /** Pictures that prove how they were made. */
-class VerifyTest {
+class VerifyCommandTest {
     private static final String MESH = "1  4 \"tetra.obj\" 0 0 0 1  1 1 1  0 0 0  0 0 0  1   0.5 0.5 0.5  0\n";
     private static final String TETRA = "v 1 1 1\nv -1 -1 1\nv -1 1 -1\nv 1 -1 -1\nf 1 2 3\nf 1 4 2\nf 1 3 4\nf 2 4 3\n";
 

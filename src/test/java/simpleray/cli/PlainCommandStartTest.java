@@ -10,7 +10,7 @@ import org.junit.jupiter.api.io.TempDir;
 import simpleray.Project;
 
 /** A plain rendering starts soon because it needs no classes that take long to be made ready. */
-class PlainStartTest {
+class PlainCommandStartTest {
     @Test
     void aPlainRenderingNeedsNeitherLambdasNorPicocli(@TempDir Path folder) throws Exception {
         Process process = Program.program(folder, List.of("-Xlog:class+load"), "render", Project.scene("thesis").toString(),

@@ -24,7 +24,7 @@ import simpleray.scene.SceneFile;
 import simpleray.scene.SimpleCamera;
 
 /** {@code explain}: why a pixel has its colour. */
-class ExplainTest {
+class ExplainCommandTest {
     private static final String WALL = "1\n1 0 0 1 -2  0.5 1 0.25  1 1 1  0 0 0  1\n1 1 1\n1\n1  1 0.5 0  0 0 1\n";
     private static final Pattern COLOUR = Pattern.compile("\"colour\":\\[([^]]*)]");
 

@@ -16,7 +16,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /** A {@code render} that is told to stop in the middle (SIGTERM). */
-class InterruptedRenderTest {
+class RenderCommandInterruptedTest {
     private static final int SIGTERM = 128 + 15;
 
     @TempDir

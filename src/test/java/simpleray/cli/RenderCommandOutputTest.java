@@ -14,7 +14,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import simpleray.Rendered;
 
 /** The file that {@code render} writes: there when it is whole, and not before. */
-class OutputFileTest {
+class RenderCommandOutputTest {
     @TempDir
     Path folder;
     private Path scene;

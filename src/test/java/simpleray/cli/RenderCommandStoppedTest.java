@@ -22,7 +22,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 /** A rendering that is told to stop (SIGINT, SIGTERM) says how to go on, and leaves nothing half done but its checkpoint. */
 @Timeout(value = 120, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
-class StoppedRenderTest {
+class RenderCommandStoppedTest {
     private static final int SIGINT = 2;
     private static final List<String> SLOW = List.of("render", "my slow.scene", "-o", "slow.png", "--depth", "1000", "--threads", "1",
         "--samples", "2");

@@ -13,7 +13,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import simpleray.Project;
 
 /** What {@code check} warns of, and how editors get it. */
-class CheckWarningsTest {
+class CheckCommandWarningsTest {
     private static final String MATT = "  1 1 1  0 0 0  0 0 0  1\n";
 
     @TempDir

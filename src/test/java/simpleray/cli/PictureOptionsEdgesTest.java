@@ -12,7 +12,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import simpleray.Rendered;
 
 /** Settings at the edge of what a file may say. */
-class SettingsEdgesTest {
+class PictureOptionsEdgesTest {
     @TempDir
     Path folder;
 

@@ -16,7 +16,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Progress on a standard error that is no terminal, as it is for these processes. */
-class ProgressLinesTest {
+class ProgressPrinterTest {
     private static final String REPORT = "wall.png: 3x%d, 0.0 s";
 
     @TempDir

@@ -21,7 +21,7 @@ import simpleray.render.Stage;
 import simpleray.scene.SimpleCamera;
 
 /** Options change the picture as the same settings made by the program's classes do. */
-class RenderOptionsTest {
+class RenderCommandOptionsTest {
     private static final Path THESIS = Project.scene("thesis");
     private static final RenderSettings DEFAULTS = new RenderSettings(Stage.FINAL, 10, 1, 2);
 

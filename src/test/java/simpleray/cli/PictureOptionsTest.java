@@ -16,7 +16,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import simpleray.Rendered;
 
 /** An option makes the same picture as the keyword of its name in the scene file, over which it wins. */
-class SettingsOptionsTest {
+class PictureOptionsTest {
     /** A ball before a mirror, an open sky. */
     private static final String BALL = """
         2  0  0.3 0.2 0 1  1 1 1  0.2 0.4 0.8  0.4 0.4 0.4  5

@@ -13,7 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** {@code simpleray export}. */
-class ExportTest {
+class ExportCommandTest {
     private static final String MIRROR = "1  1 0 0 1 -2  1 1 1  0 0 0  0.5 0.25 0.75  5   0.5 0.5 0.5  0\ndepth 3\n";
 
     @TempDir

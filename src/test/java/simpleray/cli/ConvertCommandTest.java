@@ -18,7 +18,7 @@ import simpleray.scene.Reach;
 import simpleray.scene.SceneFile;
 
 /** {@code convert}: the same scene in canonical form. */
-class ConvertTest {
+class ConvertCommandTest {
     private static final String GLASS = """
         1  # ball
         0  0 0 0 1  1 1 1  0.1 0.2 0.3  0 0 0  1e1

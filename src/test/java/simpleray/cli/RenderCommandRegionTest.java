@@ -17,7 +17,7 @@ import simpleray.Project;
 import simpleray.Rendered;
 
 /** {@code --region}: a piece of the picture, and the same pixels. */
-class RegionOptionTest {
+class RenderCommandRegionTest {
     private static final String THESIS = Project.scene("thesis").toString();
 
     @TempDir

@@ -18,7 +18,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import simpleray.Project;
 
 /** {@code --help}, {@code help} and {@code --version}: asked for, so on standard output and with exit code 0. */
-class HelpTest {
+class CommandsHelpTest {
     private static final int TERMINAL = 80;
 
     @TempDir

@@ -12,7 +12,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** {@code --allow-outside} is known by all commands that read scenes. */
-class AllowOutsideTest {
+class OutsideOptionTest {
     private static final String TEXT = "1\n4 \"../out.obj\" 0 0 0 1  1 1 1  1 1 1  0 0 0  2\n0 0 0\n0\n";
 
     @TempDir

@@ -32,7 +32,7 @@ import simpleray.scene.SceneSettings;
 import simpleray.scene.SceneSettings.Resolution;
 
 /** {@code simpleray figures}: which sheets it makes, and what it says. */
-class FiguresTest {
+class FiguresCommandTest {
     /** A shiny ball over a mirroring floor, with two exponents left open. */
     private static final String SCENE = "2\n0  0 0 -1  1.2  0.9 0.3 0.2  0.9 0.3 0.2  0.5 0.5 0.5  %s\n"
         + "1  0 1 0  -1  0.4 0.4 0.4  0.6 0.6 0.6  0.3 0.3 0.3  %s\n0.3 0.3 0.3\n1\n0  0.9 0.9 0.8  -2 3 2\n";

@@ -14,7 +14,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /** Wrong usage is one line that says what was expected, and exit code 2. */
-class UsageTest {
+class CommandsUsageTest {
     @TempDir
     Path folder;
 

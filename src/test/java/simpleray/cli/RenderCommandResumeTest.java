@@ -29,7 +29,7 @@ import simpleray.scene.SceneSettings;
 import simpleray.scene.SceneSettings.Resolution;
 
 /** A rendering goes on with the rows of its own picture, and with no others. */
-class ResumeTest {
+class RenderCommandResumeTest {
     private static final int SIDE = 40;
     private static final String SIZE = SIDE + "x" + SIDE;
 
