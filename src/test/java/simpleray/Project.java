@@ -55,8 +55,17 @@ public final class Project {
 
     /** {@return all Java sources below a folder of the project, in order} */
     public static List<Path> sources(String folder) {
-        try (Stream<Path> files = Files.walk(root().resolve(folder))) {
-            return files.filter(file -> file.toString().endsWith(".java")).sorted().collect(Collectors.toList());
+        return files(folder, Integer.MAX_VALUE, ".java");
+    }
+
+    /** {@return the pages of documentation, in order} */
+    public static List<Path> pages() {
+        return Stream.concat(files("", 1, ".md").stream(), files("docs", Integer.MAX_VALUE, ".md").stream()).collect(Collectors.toList());
+    }
+
+    private static List<Path> files(String folder, int depth, String ending) {
+        try (Stream<Path> files = Files.walk(root().resolve(folder), depth)) {
+            return files.filter(file -> file.toString().endsWith(ending)).sorted().collect(Collectors.toList());
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }

@@ -8,8 +8,11 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -20,6 +23,9 @@ import simpleray.Project;
 /** {@code --help}, {@code help} and {@code --version}: asked for, so on standard output and with exit code 0. */
 class CommandsHelpTest {
     private static final int TERMINAL = 80;
+    private static final List<String> COMMANDS = List.of("view", "render", "figures", "explain", "print", "check", "convert", "export",
+        "verify", "compare", "bench", "generate-completion");
+    private static final String PICTURE_OPTIONS = "--size --depth --samples --cop --window --camera --background --allow-outside";
 
     @TempDir
     Path folder;
@@ -30,10 +36,8 @@ class CommandsHelpTest {
 
         assertThat(help).startsWith("SimpleRay: a text file of spheres, planes and lights becomes a picture.\n\n"
             + "Usage: simpleray SCENE [OPTIONS]\n       simpleray COMMAND ...\n");
-        for (String command : List.of("view", "render", "figures", "explain", "print", "check", "convert", "export",
-            "verify", "compare", "bench", "generate-completion", "help")) {
-            assertThat(help).contains("\n  " + command + " ");
-        }
+        assertThat(COMMANDS).allSatisfy(command -> assertThat(help).contains("\n  " + command + " "));
+        assertThat(help).contains("\n  help ");
         List<String> codes = new ArrayList<>();
         for (Field code : ExitCode.class.getDeclaredFields()) {
             if (code.getType() == int.class && !code.isSynthetic()) {
@@ -49,8 +53,9 @@ class CommandsHelpTest {
         Pattern row = Pattern.compile("^(?:  |\\| )(\\d+) [ |]*(\\S.*?)(?: \\|)?$", Pattern.MULTILINE);
         String help = text("--help");
         List<String> codes = codes(row.matcher(help.substring(help.indexOf("Exit codes:"))));
-        String page = Files.readString(Project.root().resolve("README.md"));
-        List<String> told = codes(row.matcher(page.substring(page.indexOf("| exit code |"))));
+        String page = Files.readString(Project.root().resolve("docs/reliability.md"));
+        String table = page.substring(page.indexOf("| exit code |"));
+        List<String> told = codes(row.matcher(table.substring(0, table.indexOf("\n\n"))));
 
         assertThat(told).hasSameSizeAs(codes);
         for (int i = 0; i < codes.size(); i++) {
@@ -72,15 +77,29 @@ class CommandsHelpTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"view, 9", "render, 19"})
-    void theHelpTellsEveryOptionOfThePage(String command, int most) throws IOException {
-        // README's tables of options: the first is for view and render, the second for render alone
-        Matcher options = Pattern.compile("^\\| `(?:-\\w, )?(-[-\\w]+)[^`]*` \\|", Pattern.MULTILINE)
-            .matcher(Files.readString(Project.root().resolve("README.md")));
-        List<String> told = options.results().map(match -> match.group(1)).limit(most).toList();
+    @CsvSource({"view, --look", "render, -o --region --threads --accel --progress --stats -q --checkpoint --resume --restart",
+        "figures, -d --sweep --threads --accel --progress -q", "explain, --pixel --format --stage --accel -q"})
+    void theHelpTellsEveryOptionOfACommandThatRenders(String command, String options) {
+        String help = text(command, "--help");
 
-        assertThat(told).hasSize(most)
-            .allSatisfy(option -> assertThat(text(command, "--help")).containsPattern("[ ,]" + option + "[=,\\n ]"));
+        assertThat(List.of(PICTURE_OPTIONS.split(" "))).allSatisfy(option -> assertThat(help).containsPattern(pattern(option)));
+        assertThat(List.of(options.split(" "))).allSatisfy(option -> assertThat(help).containsPattern(pattern(option)));
+    }
+
+    @Test
+    void everyOptionThatThePagesNameIsInTheHelpOfACommand() throws IOException {
+        String help = COMMANDS.stream().map(command -> text(command, "--help")).collect(Collectors.joining());
+        Set<String> named = new TreeSet<>();
+        for (Path page : Project.pages()) {
+            Pattern.compile("simpleray.*? (--[a-z]+[-a-z]*)|`(--[a-z]+[-a-z]*)").matcher(Files.readString(page)).results()
+                .forEach(match -> named.add(match.group(1) == null ? match.group(2) : match.group(1)));
+        }
+
+        assertThat(named).hasSizeGreaterThan(15).allSatisfy(option -> assertThat(help).containsPattern(pattern(option)));
+    }
+
+    private static String pattern(String option) {
+        return "[ ,]" + option + "[=,\\n ]";
     }
 
     @ParameterizedTest
@@ -97,8 +116,7 @@ class CommandsHelpTest {
 
     @Test
     void theHelpFitsATerminal() {
-        for (String command : List.of("view", "render", "print", "check", "convert", "figures", "explain", "export",
-            "verify", "compare", "bench", "generate-completion")) {
+        for (String command : COMMANDS) {
             assertThat(text("help", command).lines()).allMatch(line -> line.length() <= TERMINAL);
         }
         assertThat(text("--help").lines()).allMatch(line -> line.length() <= TERMINAL);

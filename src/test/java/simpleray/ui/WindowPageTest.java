@@ -40,10 +40,10 @@ class WindowPageTest {
         Matcher images = Pattern.compile("!\\[[^\\]]+\\]\\(([^)]+)\\)").matcher(Files.readString(page));
         List<String> shown = images.results().map(image -> image.group(1)).collect(Collectors.toList());
 
-        assertThat(shown).hasSizeGreaterThanOrEqualTo(10).allSatisfy(image -> {
-            assertThat(page.resolveSibling(image)).isRegularFile();
-            assertThat(Files.size(page.resolveSibling(image))).as(image).isLessThan(LARGEST);
-        });
+        assertThat(shown).hasSizeGreaterThanOrEqualTo(10).allSatisfy(image -> assertThat(page.resolveSibling(image)).isRegularFile());
+        for (String image : Project.names(page.resolveSibling("images"), ".png")) {
+            assertThat(Files.size(page.resolveSibling("images").resolve(image + ".png"))).as(image).isLessThan(LARGEST);
+        }
     }
 
     /** {@return the first two cells of each row of the table below a heading} */
