@@ -1,7 +1,7 @@
 package simpleray.math;
 
 /**
- * A box along the axes, which holds all points between two corners, these included. <em>Constant.</em>
+ * An axis-aligned box: all points between two corners, these included. <em>Constant.</em>
  *
  * @param xmin the smallest x
  * @param ymin the smallest y
@@ -12,7 +12,7 @@ package simpleray.math;
  */
 public record Bounds(double xmin, double ymin, double zmin, double xmax, double ymax, double zmax) {
     /**
-     * Finds the smallest box that holds some points.
+     * Returns the smallest box that contains some points.
      *
      * @param first a point
      * @param others more points
@@ -27,7 +27,7 @@ public record Bounds(double xmin, double ymin, double zmin, double xmax, double 
     }
 
     /**
-     * Finds the smallest box that holds this one and another.
+     * Returns the smallest box that contains this one and another.
      *
      * @param other the other box
      * @return a new box
@@ -38,7 +38,7 @@ public record Bounds(double xmin, double ymin, double zmin, double xmax, double 
     }
 
     /**
-     * Tells whether a point is in the box.
+     * Tests whether a point is in the box.
      *
      * @param p the point
      * @return true if it is inside or on the border

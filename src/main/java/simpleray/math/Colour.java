@@ -5,8 +5,8 @@ import simpleray.text.SceneReader;
 import simpleray.text.SceneWriter;
 
 /**
- * A colour or the amount of light of each primary, linear RGB, nominally 0.0 to 1.0 (thesis, chapter 5). <em>Mutable.</em> More
- * than 1.0 is allowed, and is clamped only where a picture stores it.
+ * A colour, or an amount of light, in linear RGB, nominally 0.0 to 1.0 (thesis, chapter 5). <em>Mutable.</em> Values above 1.0 are
+ * allowed; they are clamped when a picture stores them.
  */
 public final class Colour {
     /** The red component. */
@@ -88,7 +88,7 @@ public final class Colour {
     }
 
     /**
-     * Multiplies this colour, component by component: light c falls on a surface of this colour.
+     * Multiplies this colour component by component, as light of colour c on a surface of this colour.
      *
      * @param c the other colour
      */
@@ -153,7 +153,7 @@ public final class Colour {
         cd.set(c1.r * s, c1.g * s, c1.b * s);
     }
 
-    /** Brings each component into the range 0.0 to 1.0. */
+    /** Clamps each component to 0.0 to 1.0. */
     public void clamp() {
         set(clamp(r), clamp(g), clamp(b));
     }
@@ -167,14 +167,14 @@ public final class Colour {
      * Reads the three components.
      *
      * @param is where from
-     * @throws IOException if they are not there, or one is below 0
+     * @throws IOException if one is missing or below 0
      */
     public void read(SceneReader is) throws IOException {
         set(component(is, "red"), component(is, "green"), component(is, "blue"));
     }
 
     /**
-     * Writes the three components, so that {@link #read} gets the same.
+     * Writes the three components, in the form that {@link #read} reads.
      *
      * @param os where to
      * @throws IOException if they cannot be written

@@ -62,14 +62,14 @@ public final class Point {
     /**
      * Moves this point.
      *
-     * @param v by how much
+     * @param v the offset
      */
     public void add(Vector v) {
         add(this, this, v);
     }
 
     /**
-     * Finds the point at an offset from another.
+     * Returns the point at an offset from another.
      *
      * @param p the other point
      * @param v the offset
@@ -82,7 +82,7 @@ public final class Point {
     }
 
     /**
-     * Finds the point at an offset from another.
+     * Computes the point at an offset from another.
      *
      * @param pd gets p + v; may be p
      * @param p the other point
@@ -93,8 +93,8 @@ public final class Point {
     }
 
     /**
-     * Tells whether another point has the same components. (This is the thesis's method, not {@link java.lang.Object#equals}: a
-     * point can change, and so makes no key of a map.)
+     * Compares the components with those of another point. This is the thesis's method, not {@link java.lang.Object#equals}: a
+     * mutable point is no key of a map.
      *
      * @param p the other point
      * @return true if all three are equal
@@ -107,14 +107,14 @@ public final class Point {
      * Reads the three components.
      *
      * @param is where from
-     * @throws IOException if they are not there
+     * @throws IOException if one is missing
      */
     public void read(SceneReader is) throws IOException {
         set(is.readDouble("x"), is.readDouble("y"), is.readDouble("z"));
     }
 
     /**
-     * Writes the three components, so that {@link #read} gets the same.
+     * Writes the three components, in the form that {@link #read} reads.
      *
      * @param os where to
      * @throws IOException if they cannot be written

@@ -1,6 +1,6 @@
 package simpleray.math;
 
-/** Powers that are the same on every machine. */
+/** Powers that are equal on every machine. */
 public final class Powers {
     /** Up to here repeated products are as good as a general power, and much faster. */
     private static final int MAX_FACTORS = 64;
@@ -9,12 +9,12 @@ public final class Powers {
     }
 
     /**
-     * Finds a power. Small whole exponents, as most highlights have, are worked out by squaring (Knuth, "The Art of Computer Programming",
+     * Returns a power. Small whole exponents, as most highlights have, are computed by squaring (Knuth, "The Art of Computer Programming",
      * volume 2, section 4.6.3), all others by {@link StrictMath#pow}.
      *
      * @param base the base, from 0 to 1
      * @param exponent the exponent, 0 or more
-     * @return base to the power of exponent, from 0 to 1; 1 where the exponent is 0
+     * @return base to the power of exponent, from 0 to 1; 1 if the exponent is 0
      */
     public static double power(double base, double exponent) {
         int factors = (int) exponent;

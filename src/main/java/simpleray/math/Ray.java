@@ -2,9 +2,9 @@ package simpleray.math;
 
 /** A half-line, P = O + D t for t &gt; 0 (thesis, chapter 3). <em>Mutable.</em> */
 public final class Ray {
-    /** Where the ray begins. */
+    /** The origin of the ray. */
     public Point origin;
-    /** Where it goes; t counts in lengths of this vector, which for the rays of a camera is 1. */
+    /** The direction; t is in lengths of this vector, which is 1 for the rays of a camera. */
     public Vector direction;
 
     /** Creates a ray from the origin down the z axis, as the viewer looks. */
@@ -15,8 +15,8 @@ public final class Ray {
     /**
      * Creates a ray. The values are referenced, not copied.
      *
-     * @param origin where it begins
-     * @param direction where it goes; not zero
+     * @param origin the origin
+     * @param direction the direction; not zero
      */
     public Ray(Point origin, Vector direction) {
         this.origin = origin;
@@ -24,9 +24,9 @@ public final class Ray {
     }
 
     /**
-     * Finds a point along the ray.
+     * Returns a point on the ray.
      *
-     * @param t how far along, in lengths of the direction
+     * @param t the distance along the ray, in lengths of the direction
      * @return a new point, O + D t
      */
     public Point getPointAt(double t) {

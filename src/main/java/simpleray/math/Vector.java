@@ -117,10 +117,10 @@ public final class Vector {
     }
 
     /**
-     * Finds the way from one point to another.
+     * Returns the vector from one point to another.
      *
-     * @param a where it ends
-     * @param b where it begins
+     * @param a the end
+     * @param b the start
      * @return a new vector, a - b
      */
     public static Vector subtract(Point a, Point b) {
@@ -130,11 +130,11 @@ public final class Vector {
     }
 
     /**
-     * Finds the way from one point to another.
+     * Computes the vector from one point to another.
      *
      * @param d gets a - b
-     * @param a where it ends
-     * @param b where it begins
+     * @param a the end
+     * @param b the start
      */
     public static void subtract(Vector d, Point a, Point b) {
         d.set(a.x - b.x, a.y - b.y, a.z - b.z);
@@ -152,7 +152,7 @@ public final class Vector {
     }
 
     /**
-     * Makes this the cross product of itself and another.
+     * Replaces this vector by its cross product with another.
      *
      * @param a the right operand
      */
@@ -161,7 +161,7 @@ public final class Vector {
     }
 
     /**
-     * Finds the cross product, which stands at right angles to both, by the right hand's rule.
+     * Returns the cross product, perpendicular to both by the right-hand rule.
      *
      * @param a the left operand
      * @param b the right operand
@@ -174,7 +174,7 @@ public final class Vector {
     }
 
     /**
-     * Finds the cross product.
+     * Computes the cross product.
      *
      * @param vd gets v1 × v2; may be one of them
      * @param v1 the left operand
@@ -185,7 +185,7 @@ public final class Vector {
     }
 
     /**
-     * Finds the dot product with the vector from the origin to a point.
+     * Returns the dot product with the vector from the origin to a point.
      *
      * @param p the point
      * @return the dot product
@@ -195,7 +195,7 @@ public final class Vector {
     }
 
     /**
-     * Finds the dot product.
+     * Returns the dot product.
      *
      * @param v the other vector
      * @return the dot product
@@ -205,7 +205,7 @@ public final class Vector {
     }
 
     /**
-     * Finds the dot product.
+     * Returns the dot product.
      *
      * @param v1 one vector
      * @param v2 the other
@@ -215,13 +215,13 @@ public final class Vector {
         return v1.x * v2.x + v1.y * v2.y + v1.z * v2.z;
     }
 
-    /** Turns this vector round. */
+    /** Reverses this vector. */
     public void negate() {
         set(-x, -y, -z);
     }
 
     /**
-     * Finds the opposite.
+     * Returns the opposite vector.
      *
      * @param a a vector
      * @return a new vector, -a
@@ -263,7 +263,7 @@ public final class Vector {
         d.set(a.x * sc, a.y * sc, a.z * sc);
     }
 
-    /** {@return the length, right for every finite vector whose length is a double} */
+    /** {@return the length, correct for every finite vector whose length is a double} */
     public double norm() {
         double square = squarednorm();
         if (isPlain(square)) {
@@ -279,22 +279,22 @@ public final class Vector {
     }
 
     /**
-     * Tells whether a vector's squared length has all its digits, so that its root is the length; else {@link #norm} and {@link #normalise}
-     * know better.
+     * Tests whether a squared length has all its digits, so that its root is the length; else {@link #norm} and {@link #normalise} scale
+     * the vector first.
      *
      * @param square the squared length, {@link #squarednorm}
-     * @return whether neither underflow nor overflow took some
+     * @return whether it lost none to underflow or overflow
      */
     public static boolean isPlain(double square) {
         return square >= MIN_SQUARE && square <= MAX_SQUARE;
     }
 
-    /** Gives this vector the length 1; a zero vector stays zero. */
+    /** Scales this vector to length 1; a zero vector stays zero. */
     public void normalise() {
         measureAndNormalise();
     }
 
-    /** {@return the length, as {@link #norm} tells it, of this vector, which gets the length 1} A zero vector stays zero. */
+    /** {@return the length before this vector is scaled to length 1, as by {@link #norm}} A zero vector stays zero. */
     public double measureAndNormalise() {
         double square = squarednorm();
         if (isPlain(square)) {
@@ -310,7 +310,7 @@ public final class Vector {
         return largest * measureAndNormalise();
     }
 
-    /** {@return a new vector of the same direction and length 1; a zero vector of a zero vector} */
+    /** {@return a new vector of this direction and length 1; zero for a zero vector} */
     public Vector normalised() {
         Vector unit = new Vector(this);
         unit.normalise();
@@ -321,14 +321,14 @@ public final class Vector {
      * Reads the three components.
      *
      * @param ifs where from
-     * @throws IOException if they are not there
+     * @throws IOException if one is missing
      */
     public void read(SceneReader ifs) throws IOException {
         set(ifs.readDouble("x"), ifs.readDouble("y"), ifs.readDouble("z"));
     }
 
     /**
-     * Writes the three components, so that {@link #read} gets the same.
+     * Writes the three components, in the form that {@link #read} reads.
      *
      * @param ofs where to
      * @throws IOException if they cannot be written
