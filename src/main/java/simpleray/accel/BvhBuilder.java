@@ -3,33 +3,33 @@ package simpleray.accel;
 import java.util.Arrays;
 
 /**
- * Builds a tree of boxes from the top: a box is split where the surface area heuristic finds it cheapest among a few places along its longest
- * axis (Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies", 2007). Large parts are built side by side. A node's place follows
- * from how many primitives lie before it, so that the threads need not agree on anything. <em>Mutable</em>, used once.
+ * Builds a tree of boxes from the top. A box is split where the surface area heuristic gives the lowest cost among a few places along its longest
+ * axis (Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies", 2007). Large subtrees are built in parallel. A node's index follows
+ * from the number of primitives before it, so the threads need no synchronisation. <em>Mutable</em>, used once.
  */
 final class BvhBuilder {
     private static final int BINS = 16;
-    /** Of few primitives so many bins are enough. */
+    /** Ranges of no more primitives use fewer bins. */
     private static final int FEW = 64;
     private static final int FEW_BINS = 8;
-    /** A leaf has no more primitives than these. */
+    /** The most primitives of a leaf. */
     private static final int MAX_LEAF = 8;
-    /** What the visit of a node costs, the test of a primitive being 1. */
+    /** The cost of visiting a node, relative to the test of a primitive. */
     private static final float VISIT = 1;
-    /** Middles that are no farther apart are as good as one. */
+    /** Middles that are no farther apart count as equal. */
     private static final float MIN_WIDTH = 1e-30f;
-    /** From here on a tree gets no deeper than halving makes it. */
+    /** From this depth on, ranges are halved. */
     private static final int HALVING_DEPTH = 60;
-    /** So many primitives are worth a task of their own. */
+    /** The fewest primitives for which a task of their own pays. */
     private static final int TASK = 8192;
-    /** Numbers of a range: the box around its boxes, and the box around their middles, doubled. */
+    /** Floats of a range: the box around its boxes, and the box around their middles, doubled. */
     private static final int RANGE = 2 * PrimitiveBounds.SIDES;
     private static final float[] EMPTY = {Float.POSITIVE_INFINITY, Float.POSITIVE_INFINITY, Float.POSITIVE_INFINITY,
         Float.NEGATIVE_INFINITY, Float.NEGATIVE_INFINITY, Float.NEGATIVE_INFINITY};
 
     private final PrimitiveBounds bounds;
     private final float[] sides;
-    private final float[] nodes;                              // with gaps, where leaves have more primitives than one
+    private final float[] nodes;                              // with gaps where leaves have several primitives
     private int used;
 
     private BvhBuilder(PrimitiveBounds bounds) {
@@ -53,7 +53,7 @@ final class BvhBuilder {
         return packed;
     }
 
-    /** {@return how many numbers the nodes from this one down have} */
+    /** {@return the number of floats of the nodes from this one down} */
     private int used(int node) {
         int sum = Bvh.NODE;
         for (int i = 0; i < 2; i++) {
@@ -63,7 +63,7 @@ final class BvhBuilder {
         return sum;
     }
 
-    /** Copies the nodes from this one down, without gaps. {@return where this one comes to lie} */
+    /** Copies the nodes from this one down, without gaps. {@return the new index of this one} */
     private int pack(int node, float[] packed) {
         int place = used;
         used += Bvh.NODE;
@@ -77,7 +77,7 @@ final class BvhBuilder {
         return place;
     }
 
-    /** Makes a box large enough for another. Comparisons, for they are mostly guessed right, and faster then than {@link Math#min}. */
+    /** Enlarges a box to contain another. Comparisons are mostly predicted right, and then faster than {@link Math#min}. */
     private static void grow(float[] box, int at, float[] by, int from) {
         if (by[from] < box[at]) {
             box[at] = by[from];
@@ -99,7 +99,7 @@ final class BvhBuilder {
         }
     }
 
-    /** {@return half the surface of a box} */
+    /** {@return half the surface area of a box} */
     private static float area(float[] box, int at) {
         float x = box[at + 3] - box[at];
         float y = box[at + 4] - box[at + 1];
@@ -132,16 +132,16 @@ final class BvhBuilder {
         }
     }
 
-    /** What a thread needs to build a subtree. */
+    /** The working data of a thread that builds a subtree. */
     private final class Subtree {
         final Pool pool;
-        /** The range of each node on the way down and its sibling's. */
+        /** The ranges of each node on the way down and of its sibling. */
         private final float[] ranges = new float[2 * RANGE * (Bvh.MAX_DEPTH + 1)];
         private final float[] bins = new float[BINS * PrimitiveBounds.SIDES];
         private final int[] counts = new int[BINS];
         private final float[] highCosts = new float[BINS];
         private final float[] box = new float[PrimitiveBounds.SIDES];
-        private int current;                                  // where the range is that is being split
+        private int current;                                  // the offset of the range being split
         private int bestAxis;
         private int bestBin;
         private int binCount;
@@ -150,7 +150,7 @@ final class BvhBuilder {
             this.pool = pool;
         }
 
-        /** Finds the range of all. */
+        /** Computes the range of all primitives. */
         void measure(int count) {
             clear(0);
             for (int i = 0; i < count; i++) {
@@ -163,7 +163,7 @@ final class BvhBuilder {
             System.arraycopy(EMPTY, 0, ranges, range + PrimitiveBounds.SIDES, PrimitiveBounds.SIDES);
         }
 
-        /** Makes a range large enough for a primitive. */
+        /** Enlarges a range to contain a primitive. */
         private void grow(int range, int primitive) {
             int at = PrimitiveBounds.SIDES * primitive;
             float[] r = ranges;
@@ -179,7 +179,7 @@ final class BvhBuilder {
             }
         }
 
-        /** Builds a node of the primitives from first to before end, whose range is the first one of this depth. */
+        /** Builds a node of the primitives from first to before end, whose range is the first of this depth. */
         void build(int node, int first, int end, int depth) {
             current = 2 * RANGE * depth;
             int middle = split(first, end, depth);
@@ -192,7 +192,7 @@ final class BvhBuilder {
             inner(node, first, middle, end, depth);
         }
 
-        /** Builds a node whose primitives were split, with the ranges of both parts at the next depth. */
+        /** Builds a node whose primitives are split, with the ranges of both parts at the next depth. */
         private void inner(int node, int first, int middle, int end, int depth) {
             int left = 2 * RANGE * (depth + 1);
             SubtreeTask task = null;
@@ -213,7 +213,7 @@ final class BvhBuilder {
             }
         }
 
-        /** Builds a child at this place, or makes it a leaf. */
+        /** Builds a child at this index, or makes it a leaf. */
         private void part(int node, int child, int place, int first, int end, int depth) {
             int range = 2 * RANGE * depth + RANGE * child;
             current = range;
@@ -243,7 +243,7 @@ final class BvhBuilder {
             }
         }
 
-        /** Splits the current range in two. {@return where the second part begins; the first primitive if a leaf is cheaper} */
+        /** Splits the current range in two. {@return the start of the second part; the first primitive if a leaf is cheaper} */
         private int split(int first, int end, int depth) {
             int count = end - first;
             if (count == 1) {
@@ -268,7 +268,7 @@ final class BvhBuilder {
             return middle;
         }
 
-        /** Brings the primitives of the bins before the best one to the front, and measures both parts. */
+        /** Moves the primitives of the bins before the best split to the front, and computes both ranges. */
         private int part(int first, int end, int low) {
             float from = ranges[current + 6 + bestAxis];
             float scale = scale();
@@ -301,17 +301,17 @@ final class BvhBuilder {
             return highCosts[bestBin];
         }
 
-        /** {@return how far the middles are apart along an axis, doubled} */
+        /** {@return the extent of the middles along an axis, doubled} */
         private float width(int axis) {
             return ranges[current + 9 + axis] - ranges[current + 6 + axis];
         }
 
-        /** {@return how many bins there are to a length} */
+        /** {@return the number of bins per unit of length} */
         private float scale() {
             return binCount / width(bestAxis) * 0.9999f;
         }
 
-        /** Puts the primitives into bins by their middles. */
+        /** Sorts the primitives into bins by their middles. */
         private void fill(int first, int end) {
             Arrays.fill(counts, 0);
             for (int bin = 0; bin < binCount; bin++) {
@@ -332,7 +332,7 @@ final class BvhBuilder {
             BvhBuilder.grow(bins, PrimitiveBounds.SIDES * bin, sides, at);
         }
 
-        /** Finds the bin before which to split; its cost, areas times numbers of primitives, then stands in highCosts. */
+        /** Finds the bin before which to split; its cost, areas times numbers of primitives, is then in highCosts. */
         private int cheapest() {
             System.arraycopy(EMPTY, 0, box, 0, PrimitiveBounds.SIDES);
             int count = 0;

@@ -1,35 +1,35 @@
 package simpleray.accel;
 
 /**
- * Follows rays through a {@link Bvh}, the nearer child first. <em>Mutable</em>: one thread's own.
+ * Traverses a {@link Bvh} along a ray, the nearer child first. <em>Mutable</em>: one thread's own.
  *
- * <p>No hit is lost by rounding: boxes are padded by more than a primitive can be off, and a ray's stretch in a box by more than its two ends
- * can be (Ize, "Robust BVH Ray Traversal", JCGT 2(2), 2013). A ray from too far away for that tests all primitives.
+ * <p>No hit is lost by rounding: boxes are padded by more than the error of a primitive, and a ray's interval in a box by more than the error
+ * of its two ends (Ize, "Robust BVH Ray Traversal", JCGT 2(2), 2013). A ray from too far away for that tests all primitives.
  */
 public final class BvhTraversal {
-    /** A component of a direction this small beside the largest hardly moves. */
+    /** A smaller component of a direction, relative to the largest, is replaced by this. */
     private static final double TINY = 1e-20;
-    /** How many half units in the last place the ends of a ray's stretch in a box may be off. */
+    /** The error of the ends of a ray's interval in a box, in half units in the last place. */
     private static final int ULPS = 8;
     private static final long MASK = 0xFFFFFFFFL;
 
-    /** How many nodes rays came to. */
+    /** The number of nodes visited. */
     public long steps;
 
     private final PrimitiveIntersector primitives;
     private final long[] stack = new long[Bvh.MAX_DEPTH];
 
-    // the ray, as the tree sees it
+    // the ray in the tree's coordinates
     private float ox;
     private float oy;
     private float oz;
     private float ix;
     private float iy;
     private float iz;
-    private double offset;                                    // t where it begins
-    private double speed;                                     // units of the tree to a t
+    private double offset;                                    // t of its origin
+    private double speed;                                     // units of the tree per t
 
-    /** What becomes of a ray. */
+    /** How a ray is traversed. */
     private enum Way { MISSES, FOLLOWS, TESTS_ALL }
 
     /**
@@ -42,7 +42,7 @@ public final class BvhTraversal {
     }
 
     /**
-     * Shows all primitives that may be hit no farther than the nearest hit.
+     * Tests all primitives that the ray may hit no farther than the nearest hit.
      *
      * @param bvh the tree
      * @param x the ray's origin
@@ -51,7 +51,7 @@ public final class BvhTraversal {
      * @param dx its direction, of any length but 0
      * @param dy its direction
      * @param dz its direction
-     * @param limit how far the nearest hit is that was found already; infinite if there is none
+     * @param limit t of the nearest hit found before; infinite if there is none
      */
     public void closest(Bvh bvh, double x, double y, double z, double dx, double dy, double dz, double limit) {
         Way way = enter(bvh, x, y, z, dx, dy, dz);
@@ -63,7 +63,7 @@ public final class BvhTraversal {
     }
 
     /**
-     * Shows primitives that may be hit before some distance, until nothing more gets through.
+     * Tests primitives that the ray may hit before some distance, until no light passes.
      *
      * @param bvh the tree
      * @param x the ray's origin
@@ -73,14 +73,14 @@ public final class BvhTraversal {
      * @param dy its direction
      * @param dz its direction
      * @param distance the distance, in lengths of the direction
-     * @return whether nothing more gets through
+     * @return whether no light passes
      */
     public boolean occluded(Bvh bvh, double x, double y, double z, double dx, double dy, double dz, double distance) {
         Way way = enter(bvh, x, y, z, dx, dy, dz);
         return way == Way.FOLLOWS ? occluded(bvh.nodes, reach(distance)) : way == Way.TESTS_ALL && primitives.occluded(null, 0, bvh.count);
     }
 
-    /** Brings a ray to the tree. */
+    /** Transforms a ray to the tree's coordinates. */
     private Way enter(Bvh bvh, double fromX, double fromY, double fromZ, double dx, double dy, double dz) {
         double unit = 1 / bvh.extent;
         double x = (fromX - bvh.middle[0]) * unit;
@@ -96,13 +96,13 @@ public final class BvhTraversal {
         speed = fastest * unit;
         if (!(far <= 4)) {
             double closest = -(x * ux + y * uy + z * uz) / (ux * ux + uy * uy + uz * uz);
-            double moved = Math.max(0, closest - 2);          // all boxes are within sqrt(3) from the middle
+            double moved = Math.max(0, closest - 2);          // all boxes are within sqrt(3) of the middle
             x += moved * ux;
             y += moved * uy;
             z += moved * uz;
             double near = Math.max(Math.abs(x), Math.max(Math.abs(y), Math.abs(z)));
             if (!(far <= PrimitiveBounds.MAX_DISTANCE)) {
-                return near > 4 + 0x1p-40 * far ? Way.MISSES : Way.TESTS_ALL;   // all, too, if it is no number
+                return near > 4 + 0x1p-40 * far ? Way.MISSES : Way.TESTS_ALL;   // all also for NaN
             }
             if (closest <= 0 || near > 4) {
                 return Way.MISSES;
@@ -126,21 +126,20 @@ public final class BvhTraversal {
         return Float.floatToRawIntBits(f);
     }
 
-    /** {@return the bits of a float not less than the way left to a hit} */
+    /** {@return the bits of a float not less than the distance left to a hit} */
     private int reach(double limit) {
         return bits((float) ((limit - offset) * speed * (1 + 0x1p-20) + PrimitiveBounds.PAD));
     }
 
     /**
-     * {@return the bits of the largest of three numbers and 0} Floats of 0 and more are in the order of their bits, and those below 0 are below
-     * all of them as integers are: integers it is that are compared, for the machine finds the larger of two integers faster than that of two
-     * floats.
+     * {@return the bits of the largest of three numbers and 0} Floats of 0 and more have the order of their bits, and those below 0 have bits
+     * below all of them as integers. The machine finds the larger of two integers faster than that of two floats.
      */
     private static int entry(float x, float y, float z) {
         return Math.max(Math.max(bits(x), bits(y)), Math.max(bits(z), 0));
     }
 
-    /** {@return the bits of the smallest of three numbers and a limit, and a little more} */
+    /** {@return the bits of the smallest of three numbers and a limit, rounded up a little} */
     private static int exit(float x, float y, float z, int limit) {
         return Math.min(Math.min(bits(x), bits(y)), Math.min(bits(z), limit)) + ULPS;
     }

@@ -4,23 +4,23 @@ import java.util.Arrays;
 
 /**
  * The directions from a point as a cube about it (Haines and Greenberg, "The Light Buffer", 1986; Arvo and Kirk, "Fast Ray Tracing by Ray
- * Classification", 1987). Each face has a window of square cells, columns along its first axis and rows along its second, where there is
- * something to be seen. <em>Constant</em>, once its windows are set.
+ * Classification", 1987). Each face has a window of square cells, columns along its first axis and rows along its second, that covers the
+ * visible boxes. <em>Constant</em>, once its windows are set.
  */
 final class DirectionCube {
-    /** How many faces there are; face 2 a looks along axis a, and face 2 a + 1 the other way. */
+    /** The number of faces; face 2 a looks along axis a, and face 2 a + 1 the other way. */
     static final int FACES = 6;
-    /** By how much slopes may be off. */
+    /** The rounding error of slopes. */
     private static final double ROUNDING = 0x1p-30;
 
-    /** The lowest slopes of each face's window, and the highest: across, along. */
+    /** The lowest and the highest slopes of each face's window, across and along. */
     private final double[] low = new double[2 * FACES];
     private final double[] high = new double[2 * FACES];
-    /** Cells to a slope of 1. */
+    /** Cells per slope of 1. */
     private double scale;
     private final int[] columns = new int[FACES];
     private final int[] rows = new int[FACES];
-    /** The first cell of each face. */
+    /** The index of the first cell of each face. */
     private final int[] starts = new int[FACES + 1];
 
     DirectionCube() {
@@ -28,23 +28,23 @@ final class DirectionCube {
         Arrays.fill(high, -1);
     }
 
-    /** {@return the first axis of a face's own} */
+    /** {@return the first axis within a face} */
     static int across(int face) {
         return face < 2 ? 1 : 0;
     }
 
-    /** {@return the second axis of a face's own} */
+    /** {@return the second axis within a face} */
     static int along(int face) {
         return face < 4 ? 2 : 1;
     }
 
     /**
-     * Finds the slopes of a face under which a box may be seen.
+     * Computes the range of slopes of a face within which a box may be visible.
      *
-     * @param box the box, about the point
+     * @param box the box, relative to the point
      * @param face the face
      * @param slopes gets the lowest and the highest slope across, then those along, from -1 to 1
-     * @return whether there are any
+     * @return whether the box may be visible there
      */
     static boolean sees(double[] box, int face, double[] slopes) {
         int axis = face >> 1;
@@ -53,7 +53,7 @@ final class DirectionCube {
         if (farthest <= 0) {
             return false;
         }
-        nearest = Math.max(nearest, 0);                       // then a quotient is infinite, or 0/0
+        nearest = Math.max(nearest, 0);                       // a quotient is then infinite, or 0/0
         return sees(box, across(face), nearest, farthest, slopes, 0) && sees(box, along(face), nearest, farthest, slopes, 2);
     }
 
@@ -65,12 +65,12 @@ final class DirectionCube {
         }
         double lowest = from < 0 ? from / nearest : from / farthest;
         double highest = to > 0 ? to / nearest : to / farthest;
-        slopes[at] = lowest > -1 ? lowest - ROUNDING : -1;    // no number: all
+        slopes[at] = lowest > -1 ? lowest - ROUNDING : -1;    // NaN: all
         slopes[at + 1] = highest < 1 ? highest + ROUNDING : 1;
         return true;
     }
 
-    /** Opens the window of a face as far as these slopes. */
+    /** Enlarges the window of a face to include these slopes. */
     void open(int face, double[] slopes) {
         low[2 * face] = Math.min(low[2 * face], slopes[0]);
         high[2 * face] = Math.max(high[2 * face], slopes[1]);
@@ -78,7 +78,7 @@ final class DirectionCube {
         high[2 * face + 1] = Math.max(high[2 * face + 1], slopes[3]);
     }
 
-    /** Divides the windows into about so many cells, in place of those that they had. */
+    /** Divides the windows anew into about this number of cells. */
     void divide(double cells) {
         double area = 0;
         for (int face = 0; face < FACES; face++) {
@@ -94,27 +94,27 @@ final class DirectionCube {
         }
     }
 
-    /** {@return how many cells there are} One more, which has this number, stands for all directions beside the windows. */
+    /** {@return the number of cells} The cell with this index, one more, stands for all directions outside the windows. */
     int cells() {
         return starts[FACES];
     }
 
-    /** {@return the column under a slope, in the window} */
+    /** {@return the column of a slope, in the window} */
     int column(int face, double slope) {
         return Math.max(0, Math.min(columns[face] - 1, (int) ((slope - low[2 * face]) * scale)));
     }
 
-    /** {@return the row under a slope, in the window} */
+    /** {@return the row of a slope, in the window} */
     int row(int face, double slope) {
         return Math.max(0, Math.min(rows[face] - 1, (int) ((slope - low[2 * face + 1]) * scale)));
     }
 
-    /** {@return the cell at the beginning of a row} */
+    /** {@return the first cell of a row} */
     int cell(int face, int row) {
         return starts[face] + row * columns[face];
     }
 
-    /** {@return the cell of a direction, whose length is 1, or not so small that its reciprocal is infinite} */
+    /** {@return the cell of a direction} Its length is 1, or at least so large that its reciprocal is finite. */
     int cell(double dx, double dy, double dz) {
         double ax = Math.abs(dx);
         double ay = Math.abs(dy);

@@ -3,20 +3,20 @@ package simpleray.accel;
 import simpleray.math.Ray;
 
 /**
- * Follows rays through a {@link UniformGrid}, from cell to cell (Amanatides and Woo, "A Fast Voxel Traversal Algorithm for Ray Tracing", 1987).
+ * Traverses a {@link UniformGrid} along a ray, cell by cell (Amanatides and Woo, "A Fast Voxel Traversal Algorithm for Ray Tracing", 1987).
  * <em>Mutable</em>: one thread's own.
  */
 public final class GridTraversal {
-    /** A component of a direction that is smaller moves no ray; its reciprocal would make numbers infinite, and their differences none. */
+    /** A smaller component of a direction counts as 0: its reciprocal would give infinite numbers, and NaN as their differences. */
     private static final double STILL = 1e-200;
 
-    /** How many cells rays came to. */
+    /** The number of cells visited. */
     public long steps;
 
     private final UniformGrid grid;
     private final PrimitiveIntersector primitives;
 
-    // where a ray enters, and how it goes on; in units of the grid
+    // the entry of a ray and its increments, in units of the grid
     private int column;
     private int row;
     private int layer;
@@ -31,7 +31,7 @@ public final class GridTraversal {
      * Creates a traversal.
      *
      * @param grid the grid
-     * @param primitives tests those of a cell; and all, for rays that are too far away to be followed
+     * @param primitives tests the primitives of a cell, or all for a ray that starts too far away
      */
     public GridTraversal(UniformGrid grid, PrimitiveIntersector primitives) {
         this.grid = grid;
@@ -39,10 +39,10 @@ public final class GridTraversal {
     }
 
     /**
-     * Shows all primitives that may be hit no farther than the nearest hit.
+     * Tests all primitives that the ray may hit no farther than the nearest hit.
      *
      * @param ray the ray
-     * @param limit how far the nearest hit is that was found already; infinite if there is none
+     * @param limit t of the nearest hit found before; infinite if there is none
      */
     public void closest(Ray ray, double limit) {
         if (!canFollow(ray)) {
@@ -53,24 +53,24 @@ public final class GridTraversal {
     }
 
     /**
-     * Shows primitives that may be hit before some distance, until nothing more gets through.
+     * Tests primitives that the ray may hit before some distance, until no light passes.
      *
      * @param ray the ray
      * @param distance the distance
-     * @return whether nothing more gets through
+     * @return whether no light passes
      */
     public boolean occluded(Ray ray, double distance) {
         return canFollow(ray) ? enter(ray, distance) && follow(ray, distance, true) : primitives.occluded(null, 0, grid.primitives);
     }
 
-    /** {@return whether a ray starts so near that it can be followed; else all primitives must be tested} */
+    /** {@return whether a ray starts near enough for the grid; else all primitives must be tested} */
     private boolean canFollow(Ray ray) {
         double[] middle = grid.middle;
         return Math.max(Math.abs(ray.origin.x - middle[0]), Math.max(Math.abs(ray.origin.y - middle[1]),
             Math.abs(ray.origin.z - middle[2]))) <= PrimitiveBounds.MAX_DISTANCE * grid.extent;
     }
 
-    /** Brings a ray to its first cell; false if it passes by, or gets there only beyond a limit. */
+    /** Finds the first cell of a ray. {@return false if the ray misses the grid, or enters it beyond the limit} */
     private boolean enter(Ray ray, double limit) {
         double[] middle = grid.middle;
         double[] half = grid.half;
@@ -116,7 +116,7 @@ public final class GridTraversal {
         return Math.abs(d) < STILL ? 0 : d;
     }
 
-    /** Goes from cell to cell until the nearest hit lies behind, or (for a shadow) something blocks or the light is reached. */
+    /** Visits cells up to the nearest hit or, for a shadow ray, until the light is blocked or reached. */
     private boolean follow(Ray ray, double limit, boolean shadow) {
         int[] starts = grid.starts;
         int wide = grid.cells[0];

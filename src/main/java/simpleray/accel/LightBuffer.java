@@ -3,32 +3,32 @@ package simpleray.accel;
 import java.util.Arrays;
 
 /**
- * For each direction from a point, the primitives that lie there, the nearest first. Of an eye it finds what primary rays hit (Weghorst,
- * Hooper and Greenberg, "Improved Computational Methods for Ray Tracing", 1984), of a light what shadows it casts (Haines and Greenberg,
+ * For each direction from a point, lists the primitives that lie there, the nearest first. The buffer of the eye serves primary rays (Weghorst,
+ * Hooper and Greenberg, "Improved Computational Methods for Ray Tracing", 1984), that of a light its shadow rays (Haines and Greenberg,
  * "The Light Buffer", 1986). <em>Constant.</em>
  */
 public final class LightBuffer {
-    /** So many primitives tell how long the lists would be. */
+    /** The number of primitives in the sample that estimates the length of the lists. */
     private static final int SAMPLE = 4096;
-    /** So many cells for each primitive, and so many at least; and at most so many primitives in lists. */
+    /** Cells per primitive, the fewest and the most cells; list entries per primitive, and the number that is always allowed. */
     private static final double CELLS_A_PRIMITIVE = 1;
     private static final int MIN_CELLS = 6000;
     private static final int MAX_CELLS = 6 << 20;
     private static final long LISTED_A_PRIMITIVE = 6;
     private static final long LISTED_ANYWAY = 1 << 18;
-    /** Longer lists are no faster than a tree: they lie in no cache. */
+    /** Longer lists are no faster than a tree, since they fit into no cache. */
     private static final long MAX_LISTED = 1 << 22;
-    /** How many extents from the middle the point may be. */
+    /** The largest distance of the point from the middle, in extents. */
     private static final double MAX_DISTANCE = 1e4;
-    /** So many primitives, which are mostly neighbours, are seen as one where exactness is of no use. */
+    /** The number of primitives, mostly neighbours, whose common box is seen where a rough answer is enough. */
     private static final int NEIGHBOURS = 16;
 
     private final DirectionCube cube;
-    /** Where the list of each cell begins, and at last where the last one ends. */
+    /** The start of each cell's list, and the end of the last one. */
     private final int[] starts;
-    /** The lists: of each primitive its number, and the bits of how near it is at least. */
+    /** The lists: of each primitive its number, and the bits of a lower bound of its distance. */
     private final int[] lists;
-    /** From how far away a ray may come towards the point: from farther, rounding lets it hit what is not on its way. */
+    /** The largest distance from which a ray to the point may start; beyond it, rounding lets the ray hit primitives of other cells. */
     private final double reach;
 
     private LightBuffer(DirectionCube cube, int[] starts, int[] lists, double reach) {
@@ -39,7 +39,7 @@ public final class LightBuffer {
     }
 
     /**
-     * Finds the cell of a direction from the point. Its list ends where that of the next cell begins.
+     * Returns the cell of a direction from the point. Its list ends where that of the next cell begins.
      *
      * @param dx the direction, of unit length
      * @param dy the direction
@@ -51,10 +51,10 @@ public final class LightBuffer {
     }
 
     /**
-     * Finds where a list begins.
+     * Returns the start of a list.
      *
      * @param cell the cell
-     * @return the place of its first primitive
+     * @return the index of its first primitive
      */
     public int start(int cell) {
         return starts[cell];
@@ -71,16 +71,16 @@ public final class LightBuffer {
     }
 
     /**
-     * Finds how near a primitive is.
+     * Returns a lower bound of the distance of a primitive.
      *
-     * @param i its place in the lists
+     * @param i its index in the lists
      * @return its distance from the point, or a little less
      */
     public double near(int i) {
         return Float.intBitsToFloat(lists[2 * i + 1]);
     }
 
-    /** {@return how far from the point a ray towards it may start} */
+    /** {@return the largest distance from which a ray to the point may start} */
     public double reach() {
         return reach;
     }
@@ -92,7 +92,7 @@ public final class LightBuffer {
      * @param x the point
      * @param y the point
      * @param z the point
-     * @return the buffer; null if its lists would be long, or the point is far away
+     * @return the buffer; null if its lists would be too long, or the point is too far away
      */
     public static LightBuffer of(PrimitiveBounds bounds, double x, double y, double z) {
         double[] point = {(x - bounds.middle[0]) / bounds.extent, (y - bounds.middle[1]) / bounds.extent,
@@ -125,16 +125,16 @@ public final class LightBuffer {
                 return null;
             }
             starts = new int[cube.cells() + 2];
-            long[] nearest = new long[n];                     // the bits of distances, which are not negative, are in their order
+            long[] nearest = new long[n];                     // distances are not negative, so their bits have their order
             long listed = 0;
             for (int i = 0; i < n && listed <= 2 * most; i++) {
                 listed += list(i);
                 nearest[i] = (long) Float.floatToRawIntBits((float) (distance(box) * bounds.extent * (1 - 0x1p-20))) << Integer.SIZE | i;
             }
-            if (listed > 2 * most) {                          // which the sample did not foretell
+            if (listed > 2 * most) {                          // the sample was wrong
                 return null;
             }
-            int sum = 0;                                      // from counts to where each list ends
+            int sum = 0;                                      // turns counts into ends of lists
             for (int cell = 0; cell < starts.length; cell++) {
                 sum += starts[cell];
                 starts[cell] = sum;
@@ -160,7 +160,7 @@ public final class LightBuffer {
             }
         }
 
-        /** Divides the cube into cells, few enough that lists are short. {@return whether they are} A sample tells. */
+        /** Divides the cube into so few cells that lists are short, as a sample estimates. {@return whether they are} */
         private boolean divide(int n, long most) {
             int step = 1 + n / SAMPLE;
             for (double cells = Math.min(MAX_CELLS, MIN_CELLS + CELLS_A_PRIMITIVE * n); cells >= MIN_CELLS; cells /= 2) {
@@ -200,7 +200,7 @@ public final class LightBuffer {
             return Math.sqrt(square);
         }
 
-        /** Counts a primitive in the cells in which it may be seen; or lists it there, from the end of each list. {@return how many} */
+        /** Counts a primitive in the cells where it may be visible, or lists it there from the end of each list. {@return their number} */
         private long list(int i) {
             see(i, i + 1);
             long cells = 0;

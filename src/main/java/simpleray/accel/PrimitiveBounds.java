@@ -1,37 +1,37 @@
 package simpleray.accel;
 
 /**
- * The boxes of primitives, as floats from -1 to 1: about the middle of them all, in units of their largest extent from there. Each is a little
- * larger than its primitive: by more than all rounding of a ray's way to it, in float or double, can amount to (Ize, "Robust BVH Ray
- * Traversal", JCGT 2(2), 2013). <em>Mutable</em>: whoever builds a tree or a grid of them changes their order.
+ * The boxes of primitives, as floats from -1 to 1: relative to the middle of all of them, in units of their largest extent from there. Each box is
+ * larger than its primitive by more than all rounding errors on a ray's way to it, in float or double (Ize, "Robust BVH Ray
+ * Traversal", JCGT 2(2), 2013). <em>Mutable</em>: building a tree or a grid changes their order.
  */
 public final class PrimitiveBounds {
-    /** Numbers a box: its low corner x, y, z, then its high one. */
+    /** Floats of a box: its low corner x, y, z, then its high corner. */
     static final int SIDES = 6;
-    /** By what share of the half extent of all of them a box is larger. */
+    /** The padding of a box, as a share of the half extent of all of them. */
     static final double PAD = 0x1p-20;
-    /** By what share of their distance from the origin, where numbers are coarse. */
+    /** The least padding of a box, as a share of their distance from the origin, where numbers are coarse. */
     private static final double FAR_PAD = 0x1p-40;
 
     private static final int DONE = -1;
     private static final double[] EMPTY = {Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY,
         Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY};
-    /** How many extents from the middle a ray may start; from farther away rounding would not let it find its way. */
+    /** The largest distance of a ray's origin from the middle, in extents; beyond it, rounding errors exceed the padding. */
     static final double MAX_DISTANCE = 1e6;
 
     /** The middle of all boxes. */
     final double[] middle = new double[3];
-    /** The largest coordinate about the middle, which is 1 in the boxes; above 0. */
+    /** The largest coordinate relative to the middle, which is 1 in the boxes; above 0. */
     final double extent;
     /** The boxes, six numbers each. */
     final float[] sides;
-    /** Which primitive each is of. */
+    /** The primitive of each box. */
     final int[] ids;
 
-    /** What the boxes are made from. Several threads may ask at once. */
+    /** The source of the boxes. Several threads may call at once. */
     public interface Source {
         /**
-         * Finds the box of a primitive.
+         * Computes the box of a primitive.
          *
          * @param i the primitive
          * @param box gets xmin, ymin, zmin, xmax, ymax, zmax
@@ -43,8 +43,8 @@ public final class PrimitiveBounds {
      * Makes boxes.
      *
      * @param ids the primitives, one or more; kept
-     * @param source tells the box of each
-     * @param pool who may work on it
+     * @param source gives the box of each
+     * @param pool the threads to make them
      */
     public PrimitiveBounds(int[] ids, Source source, Pool pool) {
         this.ids = ids;
@@ -102,12 +102,12 @@ public final class PrimitiveBounds {
         }
     }
 
-    /** {@return how far from the middle a ray may start to be followed} */
+    /** {@return the largest distance from the middle at which a ray may start} */
     public double reach() {
         return MAX_DISTANCE * extent;
     }
 
-    /** {@return how many there are} */
+    /** {@return the number of boxes} */
     public int count() {
         return ids.length;
     }
@@ -117,7 +117,7 @@ public final class PrimitiveBounds {
         return ids;
     }
 
-    /** Brings the boxes into an order, given as where each comes from, which is used up: round after round, as each makes room for the next. */
+    /** Reorders the boxes cycle by cycle. The order gives the old index of each box, and is overwritten. */
     void reorder(int[] order) {
         for (int i = 0; i < order.length; i++) {
             int at = i;

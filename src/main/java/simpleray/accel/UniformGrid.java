@@ -4,11 +4,11 @@ import java.util.Arrays;
 import java.util.concurrent.atomic.AtomicLong;
 
 /**
- * Cells of one size, each with a list of the objects in it (Fujimoto, Tanaka and Iwata, "ARTS: Accelerated Ray-Tracing System", 1986): the
- * fastest way through objects that are spread about evenly, and of no use where they are not. <em>Constant.</em>
+ * Cells of one size, each with a list of the primitives in it (Fujimoto, Tanaka and Iwata, "ARTS: Accelerated Ray-Tracing System", 1986). The
+ * fastest structure for primitives that are spread evenly, and of no use for others. <em>Constant.</em>
  */
 public final class UniformGrid {
-    /** So many cells for each object. */
+    /** Cells per primitive. */
     private static final double CELLS_AN_OBJECT = 4;
     private static final int MAX_CELLS_A_SIDE = 1024;
     /** An axis along which all objects together are thinner than this share of the longest counts as that thick. */
@@ -22,15 +22,15 @@ public final class UniformGrid {
     final double[] middle;
     /** The unit of all lengths. */
     final double extent;
-    /** How many primitives there are. */
+    /** The number of primitives. */
     final int primitives;
-    /** How many cells there are along each axis. */
+    /** The number of cells along each axis. */
     final int[] cells = new int[3];
     /** Half the size of the grid along each axis, about the middle of the bounds. */
     final double[] half = new double[3];
     /** The size of a cell along each axis. */
     final double[] size = new double[3];
-    /** Where the list of each cell begins in {@link #places}, x first, and at last where the last one ends. */
+    /** The start of each cell's list in {@link #places}, x first, and the end of the last one. */
     int[] starts;
     /** The lists. */
     int[] places;
@@ -47,12 +47,12 @@ public final class UniformGrid {
     }
 
     /**
-     * Begins a grid; {@link #fill} ends it.
+     * Starts a grid; {@link #fill} completes it.
      *
-     * @param bounds the boxes, which are brought into an order in which neighbours are near
+     * @param bounds the boxes, which are reordered so that neighbours are near each other
      * @param anyway whether a grid is wanted even if it is of no use
-     * @param pool who may work on it
-     * @return the grid; null if a grid is of no use, as the boxes are not spread evenly
+     * @param pool the threads to build it
+     * @return the grid; null if the boxes are not spread evenly, so that a grid is of no use
      */
     public static UniformGrid of(PrimitiveBounds bounds, boolean anyway, Pool pool) {
         UniformGrid grid = new UniformGrid(bounds);
@@ -74,7 +74,7 @@ public final class UniformGrid {
         }
     }
 
-    /** {@return this, with the lists made} */
+    /** {@return this grid, with its lists} */
     public UniformGrid fill() {
         int n = bounds.count();
         starts = new int[count() + 1];
@@ -98,7 +98,7 @@ public final class UniformGrid {
         return cells[0] * cells[1] * cells[2];
     }
 
-    /** Brings the bounds into the order of the cells in which their middles are; or does not, and returns false, if a grid is of no use. */
+    /** Sorts the bounds by the cells of their middles. {@return false, with nothing sorted, if a grid is of no use} */
     private boolean sort(boolean anyway, Pool pool) {
         int n = bounds.count();
         int[] cell = new int[n];
@@ -129,7 +129,7 @@ public final class UniformGrid {
         return true;
     }
 
-    /** Finds the cells in which the middles of some bounds are. {@return how often these would be listed} */
+    /** Finds the cells of the middles of some bounds. {@return the number of list entries they would need} */
     private long find(int[] cell, int from, int to) {
         long listed = 0;
         for (int i = from; i < to; i++) {
@@ -144,12 +144,12 @@ public final class UniformGrid {
         return listed;
     }
 
-    /** {@return in which column, row or layer something is} */
+    /** {@return the column, row or layer of a coordinate} */
     int cell(int axis, double along) {
         return Math.max(0, Math.min(cells[axis] - 1, (int) ((along + half[axis]) / size[axis])));
     }
 
-    /** Counts an object in the cells that it may touch; or lists it there, from the end of each list, once there are lists. */
+    /** Counts a primitive in the cells that it may touch, or lists it there from the end of each list, once there are lists. */
     private void visit(int i) {
         float[] s = bounds.sides;
         int at = PrimitiveBounds.SIDES * i;

@@ -1,5 +1,5 @@
 /**
- * Finds the few primitives that a ray may hit without a look at the others: boxes and rays, and nothing of scenes. No hit is lost: who tests
- * what is shown here finds the same as who tests all.
+ * Finds the few primitives that a ray may hit, without testing the others; knows boxes and rays, and no scene. No hit is lost: testing
+ * these primitives gives the same result as testing all.
  */
 package simpleray.accel;
