@@ -29,13 +29,13 @@ final class AcceleratedIntersector implements Intersector, PrimitiveIntersector 
     private final int[] order;
     private final Object[] objects;
 
-    // the ray in question: what it hits, or how far the light is and what dims it
+    // the current ray: its hit, or the distance of the light and the objects that dim it
     private Ray ray;
     private Hit hit;
     private double distance;
     private int plane;
     private final Hit scratch = new Hit();
-    private int[] dimming = new int[16];                      // places in the scene, in no order, some perhaps more than once
+    private int[] dimming = new int[16];                      // indices in the scene, in no order, perhaps repeated
     private int dimmers;
 
     AcceleratedIntersector(CompiledScene compiled, RayStats stats) {
@@ -67,7 +67,7 @@ final class AcceleratedIntersector implements Intersector, PrimitiveIntersector 
         Vector d = ray.direction;
         Point eye = compiled.eye;
         if (compiled.eyeBuffer != null && o.x == eye.x && o.y == eye.y && o.z == eye.z) {
-            LightBuffer buffer = compiled.eyeBuffer;          // the parts in this direction, until the rest is farther away
+            LightBuffer buffer = compiled.eyeBuffer;          // the parts in this direction that may be nearer than the hit
             int cell = buffer.cell(d.x, d.y, d.z);
             int end = buffer.start(cell + 1);
             for (int k = buffer.start(cell); k < end && buffer.near(k) <= hit.t; k++) {
@@ -107,7 +107,7 @@ final class AcceleratedIntersector implements Intersector, PrimitiveIntersector 
         Point o = ray.origin;
         Vector d = ray.direction;
         if (buffer != null && distance <= buffer.reach()) {
-            // the parts between there and here, seen from the light
+            // the parts in the direction from the light to the point
             int cell = buffer.cell(-d.x, -d.y, -d.z);
             int end = buffer.start(cell + 1);
             for (int k = buffer.start(cell); k < end && !blocked && buffer.near(k) <= distance; k++) {
@@ -135,7 +135,7 @@ final class AcceleratedIntersector implements Intersector, PrimitiveIntersector 
         return left.isBlack();
     }
 
-    /** {@return t of the ray's nearest hit on a plane, infinite if it hits none} It is the plane noted, of two at one t the first. */
+    /** {@return t of the ray's nearest hit on a plane, infinite if it hits none} Notes the plane; of two at one t, the first. */
     private double nearestPlane() {
         Point o = ray.origin;
         double x = o.x;
@@ -161,7 +161,7 @@ final class AcceleratedIntersector implements Intersector, PrimitiveIntersector 
         return nearest;
     }
 
-    /** {@return whether a plane stops the ray, which none does as a rule, as all lies on one side of them} Notes what dims it. */
+    /** {@return whether a plane blocks the ray} Notes the planes that dim it. Few block: mostly the scene lies on one side of each. */
     private boolean planeBlocks() {
         for (int i = firstPlane; i < objects.length; i++) {
             if (objects[i].occludes(ray, distance, scratch) && blocks(i)) {
@@ -210,7 +210,7 @@ final class AcceleratedIntersector implements Intersector, PrimitiveIntersector 
         return false;
     }
 
-    /** {@return whether an object that is in the way is opaque}; notes it if it is not */
+    /** {@return whether an object in the way is opaque} Notes it if it is not. */
     private boolean blocks(int i) {
         if (compiled.opaque[i]) {
             return true;
@@ -222,11 +222,11 @@ final class AcceleratedIntersector implements Intersector, PrimitiveIntersector 
         return false;
     }
 
-    /** Dims a light by all that lets some through, once each, in the order of the scene: products depend on it in the last bit. */
+    /** Dims a light once by each noted object, in the order of the scene: the last bit of the product depends on the order. */
     private void dim(Colour left) {
         Arrays.sort(dimming, 0, dimmers);
         for (int k = 0; k < dimmers && !left.isBlack(); k++) {
-            if (k == 0 || dimming[k] != dimming[k - 1]) {     // one in several lists is met several times
+            if (k == 0 || dimming[k] != dimming[k - 1]) {     // an object in several lists is noted several times
                 left.mult(compiled.scene.getObject(dimming[k]).surfaceMaterial.transmission);
             }
         }

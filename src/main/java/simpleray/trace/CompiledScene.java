@@ -18,68 +18,68 @@ import simpleray.scene.Scene;
 import simpleray.scene.Sphere;
 
 /**
- * A scene made ready for fast rendering: its objects in flat arrays, the bounded ones first and in the order of a tree's leaves, planes
- * last; a grid or tree of the bounded ones; and lists of what lies in each direction from the eye and the lights. <em>Constant</em>,
- * as long as the scene is; any thread may ask for an intersector.
+ * A scene compiled for fast rendering: its objects in flat arrays, the bounded ones first and in the order of a tree's leaves, planes
+ * last; a grid or tree of the bounded ones; and light buffers for the eye and the lights. <em>Constant</em>, as long as the scene is;
+ * any thread may ask for an intersector.
  */
 public final class CompiledScene {
-    /** From so many objects on a grid pays, and from so many parts a tree and a light buffer. */
+    /** The fewest objects for which a grid pays, and the fewest parts for which a tree and a light buffer pay. */
     private static final int MIN_MANY = 9;
-    /** So many parts are too many for light buffers: their lists would lie in no cache. */
+    /** The most parts in light buffers; longer lists would fit into no cache. */
     private static final int MAX_PARTS = 1 << 22;
-    /** The most lights that get a buffer of their own. */
+    /** The most lights with a buffer of their own. */
     private static final int MAX_BUFFERS = 8;
-    /** Beyond this a float cannot say where something is. */
+    /** The largest coordinate of an object in a grid or tree. */
     private static final double MAX_COORDINATE = 1e17;
 
     final Scene scene;
-    /** Where primary rays start. */
+    /** The origin of primary rays. */
     final Point eye;
-    /** How many objects are bounded. */
+    /** The number of bounded objects. */
     final int bounded;
-    /** Where the planes begin, which are behind all others. */
+    /** The index of the first plane; planes come last. */
     final int firstPlane;
-    /** From here on each ray is tested with each object: those that are in no grid and no tree. */
+    /** The index of the first object that is in no grid and no tree; each ray is tested with these. */
     final int unlisted;
-    /** The place of each in the scene. */
+    /** The index of each object in the scene. */
     final int[] order;
-    /** The objects themselves. */
+    /** The objects. */
     final Object[] objects;
-    /** Four numbers for each object: a sphere's centre and radius, a plane's normal and constant, or zeros. */
+    /** Four numbers per object: a sphere's centre and radius, a plane's normal and constant, or zeros. */
     final double[] numbers;
-    /** Whether each lets no light through. */
+    /** Whether each object transmits no light. */
     final boolean[] opaque;
-    /** The grid of the bounded objects; null if they are few, or a tree. */
+    /** The grid of the bounded objects; null if they are few or in a tree. */
     final UniformGrid grid;
-    /** The tree of the bounded objects; null if they are few, or a grid. */
+    /** The tree of the bounded objects; null if they are few or in a grid. */
     final Bvh bvh;
-    /** The number of the first part of each bounded object, and at last how many parts there are; null if each has one. */
+    /** The number of the first part of each bounded object, and last the number of all parts; null if each object has one. */
     final int[] firstParts;
-    /** The parts by direction from the eye; null if they are not listed. */
+    /** The light buffer of the eye; null if there is none. */
     final LightBuffer eyeBuffer;
-    /** The parts by direction from each light; null for one for which they are not listed. */
+    /** The light buffer of each light; null for a light without. */
     final LightBuffer[] lightBuffers;
 
     private final int threads;
     private final long rays;
-    private final boolean listed;                             // whether there is an eye buffer, unless none pays
+    private final boolean listed;                             // whether there is an eye buffer, if it pays
 
-    /** Ways to the bounded objects. */
+    /** The structures for the bounded objects. */
     enum Structure { AUTO, GRID, BVH }
 
     /**
-     * Makes a scene ready.
+     * Compiles a scene.
      *
      * @param scene the scene, which must not change any more
-     * @param eye where primary rays start
-     * @param threads how many threads may work on it
-     * @param rays about how many rays will start at the eye: light buffers pay if they are as many as there are parts to list
+     * @param eye the origin of primary rays
+     * @param threads the number of threads to use
+     * @param rays the approximate number of primary rays: light buffers pay if it is at least the number of parts to list
      */
     public CompiledScene(Scene scene, Point eye, int threads, long rays) {
         this(scene, eye, threads, Structure.AUTO, rays);
     }
 
-    /** Makes a scene ready in one way, with or without light buffers. */
+    /** Compiles a scene with a given structure, with or without light buffers. */
     CompiledScene(Scene scene, Point eye, int threads, Structure structure, boolean buffers) {
         this(scene, eye, threads, structure, buffers ? Long.MAX_VALUE : 0);
     }
@@ -104,7 +104,7 @@ public final class CompiledScene {
             grid = structure != Structure.BVH && (forced || bounded >= MIN_MANY) ? UniformGrid.of(bounds, forced, pool) : null;
             bvh = grid == null && (forced || parts(ids, all) >= MIN_MANY) ? Bvh.of(bounds, pool) : null;
             unlisted = grid == null && bvh == null ? 0 : bounded;
-            // from here on the order of the boxes stays, and all else can be made at once
+            // from here on the order of the boxes is fixed, and the rest can be made in parallel
             Pool.Task<UniformGrid> filling = grid == null ? null : pool.begin(grid::fill);
             order = Arrays.copyOf(ids, all.length);
             firstPlane = arrange(all);
@@ -130,7 +130,7 @@ public final class CompiledScene {
         }
     }
 
-    /** Takes what does not depend on the eye. */
+    /** Copies what does not depend on the eye. */
     private CompiledScene(CompiledScene other, Point eye, boolean lists) {
         scene = other.scene;
         this.eye = eye;
@@ -158,7 +158,7 @@ public final class CompiledScene {
         }
     }
 
-    /** {@return the places of the objects whose bounds a tree can hold, in order} */
+    /** {@return the indices of the objects whose bounds fit into a tree, in order} */
     private static int[] bounded(Object[] all) {
         int[] places = new int[all.length];
         int count = 0;
@@ -181,19 +181,19 @@ public final class CompiledScene {
     }
 
     private static boolean small(double d) {
-        return Math.abs(d) < MAX_COORDINATE;                  // a NaN is not
+        return Math.abs(d) < MAX_COORDINATE;                  // false for NaN
     }
 
     private static PrimitiveBounds bounds(int[] ids, Object[] all, Pool pool) {
         return new PrimitiveBounds(ids, new PrimitiveBounds.Source() {
             @Override
             public void bounds(int i, double[] box) {
-                all[i].bounds().get(box);                     // on which no memory is spent, unless they are kept
+                all[i].bounds().get(box);                     // allocates nothing, unless it escapes
             }
         }, pool);
     }
 
-    /** Puts the unbounded objects behind the others, planes last. {@return where the planes begin} */
+    /** Moves the unbounded objects behind the others, planes last. {@return the index of the first plane} */
     private int arrange(Object[] all) {
         boolean[] placed = new boolean[all.length];
         for (int i = 0; i < bounded; i++) {
@@ -214,7 +214,7 @@ public final class CompiledScene {
         return back;
     }
 
-    /** Fills the arrays; in the order of the scene, for so the objects lie in memory. */
+    /** Fills the arrays in the order of the scene, which is that of the objects in memory. */
     private void copy(Object[] all) {
         int[] ranks = new int[order.length];
         for (int i = 0; i < order.length; i++) {
@@ -241,7 +241,7 @@ public final class CompiledScene {
 
     private int[] firstParts() {
         long sum = 0;
-        boolean alone = true;                                 // whether each object has but one part
+        boolean alone = true;                                 // whether each object has only one part
         int[] first = new int[bounded + 1];
         for (int i = 0; i < bounded; i++) {
             int parts = objects[i].parts();
@@ -252,7 +252,7 @@ public final class CompiledScene {
         return alone ? null : first;
     }
 
-    /** {@return how many parts the bounded objects have} */
+    /** {@return the number of parts of the bounded objects} */
     private int parts() {
         return firstParts == null ? bounded : firstParts[bounded];
     }
@@ -275,7 +275,7 @@ public final class CompiledScene {
         }, pool);
     }
 
-    /** {@return the place in {@link #objects} of the one to which a part belongs} */
+    /** {@return the index in {@link #objects} of the object to which a part belongs} */
     int owner(int part) {
         if (firstParts == null) {
             return part;
@@ -294,22 +294,22 @@ public final class CompiledScene {
     }
 
     /**
-     * Makes the scene ready for another eye, or for the same one; what takes long is not done again.
+     * Returns this scene for another eye, or the same one. Grid, tree and the lights' buffers are shared.
      *
-     * @param other where primary rays start
-     * @return a scene for that eye; it may lack the lists of what lies in each direction from there
+     * @param other the origin of primary rays
+     * @return a scene for that eye, perhaps without its light buffer
      */
     public CompiledScene seenFrom(Point other) {
         return new CompiledScene(this, other, false);
     }
 
-    /** {@return this, or the same with lists of what lies in each direction from the eye} They take time, and make many rays faster. */
+    /** {@return this scene with a light buffer for the eye} It takes time to build, and makes many rays faster. */
     public CompiledScene listed() {
         return listed ? this : new CompiledScene(this, eye, true);
     }
 
     /**
-     * Makes what finds hits in the scene, for one thread.
+     * Creates an intersector for one thread.
      *
      * @param stats gets the counts of tests and steps
      * @return the intersector

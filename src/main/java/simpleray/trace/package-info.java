@@ -1,2 +1,2 @@
-/** A scene made ready for fast rendering, and what finds hits in it. */
+/** A scene compiled for fast rendering, and its intersector. */
 package simpleray.trace;
