@@ -4,7 +4,7 @@ import java.util.stream.IntStream;
 import simpleray.math.Colour;
 import simpleray.math.Ray;
 
-/** Asks all objects of a scene in turn (thesis, chapter 4). <em>Mutable</em>: one thread's own. The scene must not change meanwhile. */
+/** Tests all objects of a scene in turn (thesis, chapter 4). <em>Mutable</em>: one thread's own. The scene must not change meanwhile. */
 public final class BruteForceIntersector implements Intersector {
     private final Scene scene;
     private final Hit scratch = new Hit();
@@ -40,11 +40,11 @@ public final class BruteForceIntersector implements Intersector {
     }
 
     /**
-     * Finds what stands between a point and a light.
+     * Finds the objects between a point and a light.
      *
      * @param ray the ray from the point towards the light, of unit direction
-     * @param distance where the light is, in lengths of the ray's direction; infinite for a directional one
-     * @return the objects' places, in the order of the scene, up to the one that lets nothing more through
+     * @param distance the distance of the light, in lengths of the ray's direction; infinite for a directional one
+     * @return the objects' indices, in the order of the scene, up to the one that blocks the rest of the light
      */
     public int[] between(Ray ray, double distance) {
         scratch.reset();

@@ -3,7 +3,7 @@ package simpleray.scene;
 import simpleray.math.Point;
 import simpleray.math.Ray;
 
-/** A viewer: makes the rays that go through a picture. Any thread may ask once it is set up. */
+/** A viewer: makes the rays through a picture. Any thread may call once it is set up. */
 public interface Camera {
     /** {@return the width of the picture in pixels} */
     int width();
@@ -11,11 +11,11 @@ public interface Camera {
     /** {@return the height of the picture in pixels} */
     int height();
 
-    /** {@return the point from which all its rays start; a new one} */
+    /** {@return a new point, the origin of all its rays} */
     Point eye();
 
     /**
-     * Finds the ray through a point of the picture.
+     * Returns the ray through a point of the picture.
      *
      * @param px pixels from the left edge: the centre of the left column is at 0.5
      * @param py pixels from the top edge: the centre of the top row is at 0.5
@@ -28,7 +28,7 @@ public interface Camera {
     }
 
     /**
-     * Finds the ray through a point of the picture.
+     * Computes the ray through a point of the picture.
      *
      * @param px pixels from the left edge: the centre of the left column is at 0.5
      * @param py pixels from the top edge: the centre of the top row is at 0.5

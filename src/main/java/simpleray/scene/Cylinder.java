@@ -9,8 +9,8 @@ import simpleray.text.SceneReader;
 import simpleray.text.SceneWriter;
 
 /**
- * A cylinder with flat ends, closed: all P not farther than R from a line through two points, and between the planes at right angles
- * to it there.
+ * A closed cylinder with flat ends: all P within R of a line through two points, and between the planes perpendicular to it
+ * there.
  */
 public final class Cylinder extends Object {
     /** The first end of the axis, in the middle of a flat end. */
@@ -20,7 +20,7 @@ public final class Cylinder extends Object {
     /** The radius, above 0. */
     public double radius;
 
-    /** Creates a cylinder of radius 1 that stands on the origin, 1 high, of the default material. */
+    /** Creates a cylinder of radius 1 and height 1 that stands on the origin, of the default material. */
     public Cylinder() {
         this(new Material(), new Point(), new Point(0, 1, 0), 1);
     }
@@ -43,8 +43,8 @@ public final class Cylinder extends Object {
     /**
      * {@inheritDoc} A ray that starts inside hits the far wall or end; one that grazes hits.
      *
-     * <p>A closed cylinder is what an endless one and the slab between two planes have in common. A ray is within each of them from
-     * one t to another, and so within both from the later beginning to the earlier end: there is no seam for it to slip through
+     * <p>A closed cylinder is the intersection of an endless one and the slab between two planes. A ray is within each of them from
+     * one t to another, and so within both from the later start to the earlier end: there is no seam for it to slip through
      * (Kay and Kajiya, "Ray Tracing Complex Scenes", 1986, on convex bodies).
      */
     @Override
@@ -61,7 +61,7 @@ public final class Cylinder extends Object {
         return hit(ray, axis.x, axis.y, axis.z);
     }
 
-    /** {@return t of the hit, or MISS} Takes A, the unit vector from the first end to the second, and makes no vector on the way. */
+    /** {@return t of the hit, or MISS} A is the unit vector from the first end to the second; no vector is allocated. */
     private double hit(Ray ray, double ax, double ay, double az) {
         Point o = ray.origin;
         Vector d = ray.direction;
@@ -69,7 +69,7 @@ public final class Cylinder extends Object {
         double fy = o.y - start.y;
         double fz = o.z - start.z;
 
-        // the slab: how far the ray's origin is beyond either plane, and how fast it gets farther
+        // the slab: the distances of the ray's origin beyond the planes, and the ray's speed across them
         double rise = d.x * ax + d.y * ay + d.z * az;
         double low = fx * ax + fy * ay + fz * az;
         double high = (o.x - end.x) * ax + (o.y - end.y) * ay + (o.z - end.z) * az;
@@ -91,9 +91,9 @@ public final class Cylinder extends Object {
         double sz = d.x * ay - d.y * ax;
         double a = sx * sx + sy * sy + sz * sz;
         double e = px * px + py * py + pz * pz - radius * radius;
-        if (a >= Double.MIN_NORMAL) {                         // else the ray runs along the axis
+        if (a >= Double.MIN_NORMAL) {                         // else the ray is parallel to the axis
             double towards = -(px * sx + py * sy + pz * sz);
-            double closest = towards / a;                     // t where the ray comes closest to the axis
+            double closest = towards / a;                     // t of the point closest to the axis
             double lx = px + closest * sx;
             double ly = py + closest * sy;
             double lz = pz + closest * sz;
@@ -131,7 +131,7 @@ public final class Cylinder extends Object {
         return out;
     }
 
-    /** {@inheritDoc} On the rim it is the one of the side or of the end, whichever the point is farther beyond. */
+    /** {@inheritDoc} On the rim it is that of the side or of the end, whichever the point is farther beyond. */
     @Override
     public void normal(Point p, Vector out) {
         Vector.subtract(out, end, start);

@@ -4,7 +4,7 @@ import java.io.IOException;
 import simpleray.math.Vector;
 import simpleray.text.SceneReader;
 
-/** Reads vectors that must point somewhere. */
+/** Reads vectors that must not be zero. */
 final class Directions {
     private Directions() {
     }

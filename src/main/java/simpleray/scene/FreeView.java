@@ -3,7 +3,7 @@ package simpleray.scene;
 import simpleray.scene.PerspectiveCamera.Pose;
 import simpleray.scene.SceneSettings.Window;
 
-/** The free camera that shows what the camera of some settings shows. */
+/** Finds the free camera with the view of given settings. */
 public final class FreeView {
     private static final double ROUNDING = 1e-9;
     private static final double WIDEST = 179.9;
@@ -13,13 +13,13 @@ public final class FreeView {
     }
 
     /**
-     * Finds the free camera for settings.
+     * Returns the free camera for settings.
      *
      * <p>The simple camera stands at (0, 0, cop) and sees a window on the plane z = 0. If the window's middle is (0, 0) and pixels are
      * square, the free camera at (0, 0, cop) that looks at (0, 0, 0) sees the same: half the window's height over cop is the tangent of
-     * half its field of view. {@link PerspectiveCamera} does its sums in the simple camera's order, so that the rays are the same to the
-     * last bit for the thesis's 90 degrees, and but for rounding for others. No free camera has its look-at point beside the middle of its picture, or pixels that are not square; then
-     * this one looks at the window's middle, wide enough for the window's height and width.
+     * half its field of view. {@link PerspectiveCamera} computes in the simple camera's order, so that the rays are equal to the
+     * last bit for the thesis's 90 degrees, and up to rounding for others. No free camera has its look-at point beside the middle of its
+     * picture, or pixels that are not square; for such windows this one looks at the window's middle, and sees its height and width.
      *
      * @param settings the settings, as {@link SceneSettings#newCamera} takes them
      * @return the free camera
@@ -41,7 +41,7 @@ public final class FreeView {
         return new Pose(0, 0, cop, mx, my, 0, Math.min(WIDEST, fov(half, distance)));
     }
 
-    /** {@return the field of view, of the doubles about it the one that gives that half height best} */
+    /** {@return the field of view: of the nearest doubles, the one that gives this half height best} */
     private static double fov(double half, double distance) {
         double fov = StrictMath.toDegrees(2 * StrictMath.atan(half / distance));
         double best = fov;
@@ -56,10 +56,10 @@ public final class FreeView {
     }
 
     /**
-     * Tells whether the free camera shows the very picture.
+     * Tests whether the free camera shows the same picture.
      *
      * @param settings the settings
-     * @return false if it shows about the same only
+     * @return false if its picture is only similar
      */
     public static boolean isExact(SceneSettings settings) {
         if (settings.camera != null) {

@@ -3,7 +3,7 @@ package simpleray.scene;
 import simpleray.math.Colour;
 import simpleray.math.Ray;
 
-/** Finds what rays see. <em>Mutable</em>: one thread's own. */
+/** Computes the colours that rays see. <em>Mutable</em>: one thread's own. */
 @FunctionalInterface
 public interface Integrator {
     /**

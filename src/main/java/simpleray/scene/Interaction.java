@@ -4,15 +4,15 @@ import simpleray.math.Point;
 import simpleray.math.Ray;
 import simpleray.math.Vector;
 
-/** A ray at the surface that it hits: all that shading asks of it. <em>Mutable</em>: one thread's own, used again for other rays. */
+/** A ray at the surface that it hits: all that shading needs. <em>Mutable</em>: one thread's own, reused for other rays. */
 public final class Interaction {
-    /** What is hit. */
+    /** The object that is hit. */
     public Object object;
-    /** Its place in the scene, from 0. */
+    /** The index of the object in the scene. */
     public int place;
-    /** How far the ray came. */
+    /** The distance that the ray travelled. */
     public double t;
-    /** Where the rays begin that go on from here: where the surface is hit, a little towards where the ray came from if numbers are large. */
+    /** The origin of further rays: the hit point, moved a little to the ray's side of the surface if its coordinates are large. */
     public final Point point = new Point();
     /** The unit normal of the true shape, outward; it decides whether a ray enters or leaves. */
     public final Vector outward = new Vector();
@@ -21,14 +21,14 @@ public final class Interaction {
     /** Whether the ray enters the object here, and does not leave it. */
     public boolean enters;
 
-    private double height;                                    // how far the point was lifted off the surface
+    private double height;                                    // the distance by which the point was moved off the surface
 
-    /** Creates one to be set. */
+    /** Creates an empty interaction. */
     public Interaction() {
     }
 
     /**
-     * Finds the surface at a hit.
+     * Computes the interaction at a hit.
      *
      * @param ray the ray, of unit direction
      * @param hit its hit
@@ -42,13 +42,13 @@ public final class Interaction {
         point.set(ray.origin.x + d.x * t, ray.origin.y + d.y * t, ray.origin.z + d.z * t);
         what.surface(hit, this);
         enters = outward.dot(d) < 0;
-        if (normal.dot(d) > 0) {                              // both sides of a surface are lit and mirror alike
+        if (normal.dot(d) > 0) {                              // both sides of a surface are lit and mirror
             normal.negate();
         }
         height = Optics.lift(point, normal, t);
     }
 
-    /** Moves the point to the other side of the surface, for a ray that goes on through it. */
+    /** Moves the point to the other side of the surface, for a refracted ray. */
     void sink() {
         Optics.sink(point, normal, height);
     }

@@ -7,12 +7,12 @@ import simpleray.text.SceneReader;
 import simpleray.text.SceneWriter;
 
 /**
- * Ties the codes in a scene file to classes, and reads and writes whole lists by them. <em>Mutable</em> only while its kinds are added.
+ * Maps the codes in a scene file to classes, and reads and writes whole lists by them. <em>Mutable</em> only while kinds are added.
  *
- * @param <T> what is listed
+ * @param <T> the type of the listed things
  */
 final class KindTable<T extends SceneElement> {
-    /** For so many things there is room at first, and then for so many times as many as there are. */
+    /** The initial capacity of a list, and the factor by which it grows. */
     private static final int FIRST_ROOM = 1000;
     private static final int MORE_ROOM = 4;
 
@@ -20,9 +20,9 @@ final class KindTable<T extends SceneElement> {
     private final List<Kind<T>> kinds = new ArrayList<>();
 
     /**
-     * A kind of what is listed: its code, its name for messages, its class, and how an empty one is made to be read into.
+     * A kind: its code, its name for messages, its class, and a factory for an empty thing to be read into.
      *
-     * @param <T> what is listed
+     * @param <T> the type of the listed things
      */
     abstract static class Kind<T> {
         private final int code;
@@ -41,7 +41,7 @@ final class KindTable<T extends SceneElement> {
     /**
      * Creates an empty table.
      *
-     * @param what what is listed, for messages: "object"
+     * @param what the name of a listed thing, for messages: "object"
      */
     KindTable(String what) {
         this.what = what;
@@ -121,7 +121,7 @@ final class KindTable<T extends SceneElement> {
         return kind.code;
     }
 
-    /** {@return what kind of thing it is, as messages say it} One that no scene file knows is called by its class. */
+    /** {@return the name of a thing's kind, for messages; its class's name if no scene file knows it} */
     String name(T thing) {
         Kind<T> kind = kind(thing);
         return kind == null ? thing.getClass().getSimpleName() : kind.name;

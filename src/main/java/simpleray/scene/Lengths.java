@@ -4,8 +4,8 @@ import java.io.IOException;
 import simpleray.text.SceneReader;
 
 /**
- * How large the numbers of a shape may be. Where rays hit is found by products of up to three of them, and beyond 1e308 a product is no
- * number any more: the shape would be missed, and nobody told.
+ * The limits of the numbers of a shape. Hits are computed by products of up to three of them. Beyond 1e308 a product is infinite, and rays
+ * would miss the shape without an error.
  */
 final class Lengths {
     /** The largest. */
@@ -16,7 +16,7 @@ final class Lengths {
     private Lengths() {
     }
 
-    /** Notes an error if one of the numbers just read, of the group that was begun, is too large. */
+    /** Notes an error if one of the numbers of the current group is too large. */
     static void check(SceneReader is, String what, double... lengths) throws IOException {
         for (double length : lengths) {
             if (Math.abs(length) > MAX) {
@@ -26,7 +26,7 @@ final class Lengths {
         }
     }
 
-    /** Notes an error if a radius is not above 0, or too large. */
+    /** Notes an error if a radius is not above 0 or is too large. */
     static void checkRadius(SceneReader is, double radius) throws IOException {
         if (radius <= 0) {
             is.reject("radius above 0");

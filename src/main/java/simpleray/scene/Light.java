@@ -7,9 +7,9 @@ import simpleray.math.Vector;
 import simpleray.text.SceneReader;
 import simpleray.text.SceneWriter;
 
-/** What each kind of light extends (thesis, chapter 5). */
+/** A light: the superclass of each kind (thesis, chapter 5). */
 public abstract class Light implements SceneElement {
-    /** The colour of the light, LC; it does not fall off with distance. */
+    /** The colour of the light, LC; it does not fade with distance. */
     public Colour intensity = new Colour(1, 1, 1);
 
     /** Creates a white light. */
@@ -17,18 +17,18 @@ public abstract class Light implements SceneElement {
     }
 
     /**
-     * Finds where the light is, seen from a point. Any thread may call.
+     * Computes the direction and the distance of the light from a point. Any thread may call.
      *
      * @param p the point
-     * @param l gets the unit vector towards the light; zero if the light is at the very point
+     * @param l gets the unit vector towards the light; zero if the light is at the point
      * @return the distance to the light, infinite if it comes from infinitely far
      */
     public abstract double towards(Point p, Vector l);
 
     /**
-     * Finds where all rays of the light start, so that what lies in each direction from there can be listed once for all of them.
+     * Returns the point from which all rays of the light start, for a light buffer.
      *
-     * @return the point itself, not a copy; null if there is no such point: then shadow rays find their way through the scene one by one
+     * @return the point itself, not a copy; null if there is none, and so no light buffer
      */
     public abstract Point origin();
 
@@ -45,13 +45,13 @@ public abstract class Light implements SceneElement {
      * Reads the light, all but the code of its kind.
      *
      * @param is where from
-     * @throws IOException if it is not there or makes no light
+     * @throws IOException if it is missing or is no light
      */
     @Override
     public abstract void read(SceneReader is) throws IOException;
 
     /**
-     * Writes the light, so that {@link #read} gets an equal one.
+     * Writes the light in the form that {@link #read} reads.
      *
      * @param os where to
      * @throws IOException if it cannot be written
@@ -60,10 +60,10 @@ public abstract class Light implements SceneElement {
     public abstract void write(SceneWriter os) throws IOException;
 
     /**
-     * Reads the colour, with which each kind of light begins.
+     * Reads the colour, the first value of each kind of light.
      *
      * @param is where from
-     * @throws IOException if it is not there
+     * @throws IOException if it is missing
      */
     protected final void readIntensity(SceneReader is) throws IOException {
         is.enter("colour");

@@ -9,26 +9,26 @@ import simpleray.text.Problem;
 import simpleray.text.SceneFormatException;
 
 /**
- * Reads the lines of an OBJ file, each together with those that it continues by a {@code \} at its end, and without comments.
+ * Reads the lines of an OBJ file, each together with those that continue it after a {@code \} at its end, and without comments.
  * <em>Mutable,</em> for one thread.
  *
- * <p>The file is UTF-8, and stays bytes: what is no UTF-8 is the character U+FFFD in messages. The bytes of the latest line stay in the
- * buffer as they are in the file until the next is read, so that a message can show them. Most lines are parsed where they stand. Of a line
- * with a comment, a continuation or characters beyond ASCII a copy is made, in which spaces stand for comments, continuations and
- * Unicode's blanks: each byte of the copy is as far from its beginning as in the file.
+ * <p>The file is UTF-8 and is kept as bytes; invalid bytes are shown as U+FFFD in messages. The bytes of the current line stay in the
+ * buffer unchanged until the next is read, so that a message can show them. Most lines are parsed in place. A line
+ * with a comment, a continuation or characters beyond ASCII is copied, with spaces in place of comments, continuations and
+ * Unicode's blanks, so that each byte of the copy has the same offset as in the file.
  */
 final class LineReader {
-    /** A line, with those that it continues: far more than a polygon needs, far less than fills the memory. */
+    /** The most characters of a line with its continuations: far more than a polygon needs, far less than fills the memory. */
     private static final int MAX_CHARACTERS = 1 << 20;
-    /** UTF-8 takes three bytes at most for a {@code char}, and so does a continuation: the backslash, CR and LF. */
+    /** A {@code char} takes at most three bytes in UTF-8; so does a continuation: backslash, CR and LF. */
     private static final int MAX_BYTES = 3 * MAX_CHARACTERS;
-    /** So much of a line that is too long is shown. */
+    /** The number of characters shown of a line that is too long. */
     private static final int SHOWN = 512;
     private static final int BLOCK = 1 << 16;
     private static final byte[] BYTE_ORDER_MARK = {(byte) 0xEF, (byte) 0xBB, (byte) 0xBF};
     private static final byte COMMENT = '#';
     private static final byte CONTINUED = '\\';
-    /** ASCII but for line breaks, comments, continuations, and the 0 that stands behind the buffer's last byte. */
+    /** ASCII except line breaks, comments, continuations, and the 0 after the buffer's last byte. */
     private static final boolean[] PLAIN = new boolean[1 << Byte.SIZE];
 
     static {
@@ -38,29 +38,29 @@ final class LineReader {
         }
     }
 
-    /** Holds the line: the buffer, or the copy. */
+    /** The array that contains the line: the buffer or the copy. */
     byte[] bytes;
-    /** The line's first byte. */
+    /** The index of the line's first byte. */
     int begin;
-    /** The place behind the line's last byte that is not blank; no word goes on there. */
+    /** The index after the line's last byte that is not blank. */
     int end;
 
     private final InputStream in;
     private final String file;
     private byte[] buffer = new byte[BLOCK + 1];
     private byte[] copy = new byte[BLOCK];
-    private int filled;                                      // where the buffer's bytes end: a 0 stands there
-    private int start;                                       // of the latest line in the buffer
+    private int filled;                                      // the end of the buffer's bytes, which a 0 follows
+    private int start;                                       // of the current line in the buffer
     private int next;                                        // the first byte that has not been read
-    private int firstNumber;                                 // of the latest line, from 1
-    private int number;                                      // of the last of those that it continues
-    private int characters;                                  // of the latest line so far, as UTF-16
+    private int firstNumber;                                 // of the current line, from 1
+    private int number;                                      // of its last continuation
+    private int characters;                                  // of the current line so far, as UTF-16
 
     /**
      * Creates a reader of a file's lines.
      *
      * @param in the file, not closed here
-     * @param file what messages call it
+     * @param file its name for messages
      */
     LineReader(InputStream in, String file) {
         this.in = in;
@@ -98,11 +98,11 @@ final class LineReader {
         return true;
     }
 
-    /** Reads a line that is no plain one, or not in the buffer as a whole. */
+    /** Reads a line that is not plain, or not completely in the buffer. */
     private void readUnusual() throws IOException {
         next = start;
         characters = 0;
-        int from = 0;                                         // counted from the start, as fill() moves it
+        int from = 0;                                         // relative to start, since fill() moves the line
         boolean plain = findLineBreak();
         while (!plain && copy(from, next - start)) {
             int to = next - start;
@@ -128,7 +128,7 @@ final class LineReader {
         }
     }
 
-    /** Moves to the next line break, or to the file's end; returns whether all before it is plain. */
+    /** Moves to the next line break or the end of the file. {@return whether all bytes before it are plain} */
     private boolean findLineBreak() throws IOException {
         boolean plain = true;
         while (buffer[next] != '\n' && buffer[next] != '\r') {
@@ -148,7 +148,7 @@ final class LineReader {
         return plain;
     }
 
-    /** Passes over a line break if there is one: LF, CR LF or CR. */
+    /** Skips a line break if there is one: LF, CR LF or CR. */
     private void skipLineBreak() throws IOException {
         if (next < filled && buffer[next++] == '\r' && (next < filled || fill()) && buffer[next] == '\n') {
             next++;
@@ -163,14 +163,14 @@ final class LineReader {
     }
 
     /**
-     * Copies a piece of the line, without its comment, and finds where the line ends if this is its last piece.
+     * Copies a piece of the line without its comment, and finds the end of the line if this is its last piece.
      *
-     * @param from the piece's first byte, counted from the line's start
-     * @param to the place behind its last
-     * @return whether the line goes on behind it; then the backslash is a space
+     * @param from the piece's first byte, relative to the line's start
+     * @param to the index after its last byte
+     * @return whether the line continues after it; then the backslash becomes a space
      */
     private boolean copy(int from, int to) {
-        if (to + 2 >= copy.length) {                          // there may follow a line break, or a 0
+        if (to + 2 >= copy.length) {                          // a line break or a 0 may follow
             copy = Arrays.copyOf(copy, 2 * to + 2);
         }
         System.arraycopy(buffer, start + from, copy, from, to - from);
@@ -187,7 +187,7 @@ final class LineReader {
         return true;
     }
 
-    /** Makes spaces of a Unicode character if it is blank; returns how many bytes are done. No blank has more than three. */
+    /** Replaces a blank Unicode character by spaces. {@return the number of bytes handled} No blank has more than three. */
     private int blank(int at, int to) {
         int length = (copy[at] & 0xE0) == 0xC0 ? 2 : 3;
         if (at + length > to) {
@@ -214,7 +214,7 @@ final class LineReader {
         return b == ' ' || b >= '\t' && b <= '\r' || b >= 0x1C && b <= 0x1F;
     }
 
-    /** Reads on. The latest line stays in the buffer, though it may be moved. Returns false at the end of the file. */
+    /** Reads more bytes. The current line stays in the buffer, but may be moved. {@return false at the end of the file} */
     private boolean fill() throws IOException {
         if (filled == buffer.length - 1) {
             if (start > buffer.length / 2) {
@@ -252,7 +252,7 @@ final class LineReader {
         return new String(bytes, from, to - from, StandardCharsets.UTF_8);
     }
 
-    /** {@return the error that something else is expected at a place of the line} */
+    /** {@return the error that something else was expected at an index of the line} */
     SceneFormatException error(int at, String wanted, String found) {
         return error(problem(start + at - begin, true, "expected " + wanted + ", found " + found));
     }
@@ -261,7 +261,7 @@ final class LineReader {
         return new SceneFormatException(List.of(problem), false);
     }
 
-    /** {@return the error that something is missing at the end of the file, behind the last character of its last line} */
+    /** {@return the error that something is missing after the last character of the file} */
     SceneFormatException missing(String wanted) {
         int place = next;
         place -= place > start && buffer[place - 1] == '\n' ? 1 : 0;
@@ -269,12 +269,12 @@ final class LineReader {
         return error(problem(place, true, "expected " + wanted + ", found the end of the file"));
     }
 
-    /** {@return a warning at the beginning of the line} */
+    /** {@return a warning at the start of the line} */
     Problem warning(String message) {
         return problem(start, false, message);
     }
 
-    /** {@return what is to be told of a place in the buffer, in the latest line} */
+    /** {@return a problem at an index of the buffer, in the current line} */
     private Problem problem(int place, boolean error, String message) {
         int line = Math.max(1, firstNumber);
         for (int i = start; i < place; i++) {
@@ -289,7 +289,7 @@ final class LineReader {
         return new Problem(file, line, before.codePointCount(0, before.length()) + 1, error, message, decode(buffer, from, to));
     }
 
-    /** {@return where the line of the file begins in which a place is} */
+    /** {@return the start of the file's line that contains an index} */
     private int lineStart(int place) {
         int from = place;
         while (from > start && buffer[from - 1] != '\n' && buffer[from - 1] != '\r') {

@@ -7,19 +7,19 @@ import simpleray.text.SceneReader;
 import simpleray.text.SceneWriter;
 
 /**
- * What a surface does with light: its ambient, diffuse and specular colour and its shininess (thesis, chapters 4 and 5), and how much
- * goes through it (Whitted 1980).
+ * The optical properties of a surface: ambient, diffuse and specular colour and shininess (thesis, chapters 4 and 5), and transmission
+ * (Whitted 1980).
  */
 public final class Material {
     private static final Set<String> TRANSMIT = Set.of("transmit");
 
-    /** The share of the scene's ambient light that the surface sends back, Ka. */
+    /** The share of the scene's ambient light that the surface reflects, Ka. */
     public Colour ambient = new Colour(1, 1, 1);
     /** The share of a light that it scatters evenly, Kd. */
     public Colour diffuse = new Colour(1, 1, 1);
-    /** The exponent of the highlight, 0 or more; its whole part is also the most reflections that the surface grants. */
+    /** The exponent of the highlight, 0 or more; its whole part is also the most reflections after a hit. */
     public double shininess = 2;
-    /** The share of a light in its highlight, and of what its mirror ray sees, Ks. */
+    /** The share of a light in its highlight, and of the mirror ray's colour, Ks. */
     public Colour specular = new Colour();
 
     /** The share of light that passes through, Kt. */
@@ -77,7 +77,7 @@ public final class Material {
      * Reads the three colours and the shininess, and the transmission if there is one; without it nothing passes through.
      *
      * @param is where from
-     * @throws IOException if they are not there, or one is below 0
+     * @throws IOException if one is missing or below 0
      */
     public void read(SceneReader is) throws IOException {
         readColour(is, "ambient", ambient);
@@ -99,7 +99,7 @@ public final class Material {
     }
 
     /**
-     * Writes the material, so that {@link #read} gets an equal one.
+     * Writes the material in the form that {@link #read} reads.
      *
      * @param os where to
      * @throws IOException if it cannot be written
@@ -120,7 +120,7 @@ public final class Material {
         }
     }
 
-    /** {@return whether another material is the same to the bit} */
+    /** {@return whether another material is equal, bit for bit} */
     boolean isSame(Material m) {
         return isSame(ambient, m.ambient) && isSame(diffuse, m.diffuse) && isSame(specular, m.specular)
             && isSame(shininess, m.shininess) && isSame(transmission, m.transmission) && isSame(index, m.index);
@@ -134,12 +134,12 @@ public final class Material {
         return Double.doubleToRawLongBits(c) == Double.doubleToRawLongBits(d);
     }
 
-    /** {@return whether a file says anything of transmission} */
+    /** {@return whether the material has a transmission to write} */
     private boolean transmits() {
         return index != 1 || isSaid(transmission.r) || isSaid(transmission.g) || isSaid(transmission.b);
     }
 
-    /** {@return whether a number is other than 0.0, to the bit: -0.0 is} */
+    /** {@return whether a number differs from 0.0 in its bits, as -0.0 does} */
     private static boolean isSaid(double d) {
         return Double.doubleToRawLongBits(d) != 0;
     }

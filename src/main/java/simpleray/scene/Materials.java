@@ -6,7 +6,7 @@ import simpleray.math.Colour;
 import simpleray.text.SceneReader;
 
 /**
- * The materials of the objects that are read from one file, equal ones once: a million spheres are rarely of a million materials.
+ * The materials of the objects of one file, without duplicates: a million spheres rarely have a million materials.
  * <em>Mutable,</em> for one thread.
  */
 final class Materials {
@@ -27,7 +27,7 @@ final class Materials {
     private int count;
     private Material next = new Material();
 
-    /** {@return the material that comes next in the file, or the equal one that came before it} */
+    /** {@return the next material in the file, or an equal one read before} */
     Material read(SceneReader is) throws IOException {
         next.read(is);
         int slot = slot(next);
@@ -46,7 +46,7 @@ final class Materials {
         return read;
     }
 
-    /** {@return where an equal material is, or else where this one may go; -1 for neither} */
+    /** {@return the slot of an equal material, or a free slot for this one; -1 for neither} */
     private int slot(Material m) {
         int slot = (int) hash(m) & table.length - 1;
         for (int i = 0; i < MAX_PROBES; i++) {
@@ -69,7 +69,7 @@ final class Materials {
         }
     }
 
-    /** {@return a number that is the same for equal materials, and as a rule no other} */
+    /** {@return a hash, equal for equal materials} */
     static long hash(Material m) {
         long hash = mixed(bits(m.ambient), bits(m.diffuse));
         hash = mixed(hash, bits(m.specular));

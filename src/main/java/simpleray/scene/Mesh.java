@@ -13,19 +13,19 @@ import simpleray.text.SceneWriter;
 
 /**
  * The polygons of a Wavefront OBJ, scaled about its origin and then moved. Both sides are visible; inside is the side from which the
- * vertices run clockwise, as they stand after scaling: a scale below 0 mirrors the mesh at the origin, and so turns it inside out.
+ * vertices run clockwise after scaling: a scale below 0 mirrors the mesh at the origin, and so turns it inside out.
  *
- * <p>Rays are moved to the mesh, not the mesh to the rays: meshes of one file in a scene share its triangles.
+ * <p>Rays are transformed to the mesh, so that meshes of one file in a scene share its triangles.
  */
 public final class Mesh extends Object {
-    /** A share of a coordinate that is larger than a few roundings. */
+    /** The largest error of a few roundings, as a share of a coordinate. */
     private static final double ROUNDINGS = 0x1p-49;
 
     /** The OBJ file, as the scene file names it. */
     public String file;
-    /** Where the OBJ's origin comes to lie. */
+    /** The position of the OBJ's origin. */
     public Point offset;
-    /** How many times as large as in the OBJ; not 0. */
+    /** The factor of the OBJ's size; not 0. */
     public double scale;
 
     private TriangleMesh mesh;
@@ -40,8 +40,8 @@ public final class Mesh extends Object {
      *
      * @param n the material
      * @param file the OBJ file
-     * @param offset where the OBJ's origin comes to lie
-     * @param scale how many times as large as in the OBJ; not 0
+     * @param offset the position of the OBJ's origin
+     * @param scale the factor of the OBJ's size; not 0
      * @throws SceneFormatException if there is an error in the file
      * @throws IOException if it cannot be read
      */
@@ -61,7 +61,7 @@ public final class Mesh extends Object {
         return new Mesh(n, "", new Point(), 1, new Triangles(vertices, corners, new double[0], null));
     }
 
-    /** Creates the mesh of some triangles; the file is only named. */
+    /** Creates the mesh of some triangles; the file is not read. */
     Mesh(Material n, String file, Point offset, double scale, Triangles triangles) {
         super(n);
         this.file = file;
@@ -164,7 +164,7 @@ public final class Mesh extends Object {
         return t >= 0 && t < distance;
     }
 
-    /** {@return what tests this mesh's triangles, made ready for a ray} */
+    /** {@return the intersector of this mesh's triangles, prepared for a ray} */
     private TriangleIntersector ready(Ray ray, Hit hit) {
         TriangleIntersector triangles = hit.triangles();
         if (triangles.mesh != this) {
@@ -190,7 +190,7 @@ public final class Mesh extends Object {
         mesh.tree(threads);
     }
 
-    /** {@inheritDoc} It is that of the nearest triangle, as flat as it is. All are looked at: {@link #surface} is the fast way. */
+    /** {@inheritDoc} It is that of the nearest triangle, not interpolated. All triangles are searched: {@link #surface} is fast. */
     @Override
     public Vector normal(Point p) {
         double[] place = {(p.x - offset.x) / scale, (p.y - offset.y) / scale, (p.z - offset.z) / scale};
@@ -206,7 +206,7 @@ public final class Mesh extends Object {
         return outward(nearest);
     }
 
-    /** {@return the unit normal of a triangle} Neither moving nor scaling changes it. */
+    /** {@return the unit normal of a triangle, which neither translation nor scaling changes} */
     private Vector outward(int triangle) {
         double[] n = new double[3];
         mesh.triangles.cross(triangle, n);
@@ -236,7 +236,7 @@ public final class Mesh extends Object {
         return Bounds.of(corner(box, 0, -1), corner(box, 3, -1), corner(box, 0, 1), corner(box, 3, 1));
     }
 
-    /** {@return a corner of the box where the mesh stands, moved by a few roundings} */
+    /** {@return a corner of the mesh's box in the scene, moved by a few roundings} */
     private Point corner(double[] box, int at, int roundings) {
         double share = roundings * ROUNDINGS;
         double x = box[at] * scale;

@@ -15,9 +15,9 @@ import simpleray.text.Problem;
 import simpleray.text.SceneFormatException;
 import simpleray.text.SceneReader;
 
-/** The OBJ files that one scene names, each read once, and none that is out of its reach. <em>Mutable,</em> for one thread. */
+/** The OBJ files that one scene names, each read once, if it is within reach. <em>Mutable,</em> for one thread. */
 final class MeshFiles {
-    /** Windows takes these for a drive or for the root, whatever follows. To compile it takes 5 ms, and most scenes name no file. */
+    /** Names that Windows takes for a drive or for the root. Not compiled: that takes 5 ms, and most scenes name no file. */
     private static final String ROOTED = "(?s)/.*|[A-Za-z]:.*";
 
     /** Each that was read, once, under the name that the scene had for it first. */
@@ -30,12 +30,12 @@ final class MeshFiles {
         this.reach = reach;
     }
 
-    /** {@return those of a scene that is being read: in its folder alone, unless who reads it said otherwise} */
+    /** {@return the files of the scene being read, only in its folder unless a reach was set before} */
     static MeshFiles of(SceneReader is) {
         return of(is, Reach.FOLDER);
     }
 
-    /** {@return those of a scene of which nothing has been read yet, and which may name files that are in reach} */
+    /** {@return the files of a scene that is about to be read, within some reach} */
     static MeshFiles of(SceneReader is, Reach reach) {
         return is.kept(MeshFiles.class, new Function<>() {
             @Override
@@ -46,9 +46,9 @@ final class MeshFiles {
     }
 
     /**
-     * Finds the triangles of the file whose name was read last; none if there is an error, which then is noted.
+     * Returns the triangles of the file whose name was read last; none if there is an error, which is noted.
      *
-     * @param is where the name was read
+     * @param is the reader of the name
      * @param name the name
      * @throws IOException if that was one error too many, or the file breaks off
      */
@@ -89,7 +89,7 @@ final class MeshFiles {
         return mesh;
     }
 
-    /** {@return whether a name leaves its folder by what it says, on this system or another: a scene is the same everywhere} */
+    /** {@return whether a name leads out of its folder on any system, so that a scene is the same everywhere} */
     private static boolean leavesByName(String name) {
         String path = name.replace('\\', '/');
         if (path.matches(ROOTED)) {
@@ -105,7 +105,7 @@ final class MeshFiles {
         return false;
     }
 
-    /** {@return whether a path leaves the folder through symbolic links} Of a file that is not there, its folder counts. */
+    /** {@return whether a path leads out of the folder through symbolic links} For a missing file, its folder counts. */
     private static boolean leaves(Path folder, Path path) throws IOException {
         Path home = folder.toAbsolutePath().toRealPath();
         Path there = path.toAbsolutePath();
@@ -119,7 +119,7 @@ final class MeshFiles {
         return !real.startsWith(home);
     }
 
-    /** The file may not be read, and so nothing is said of whether it is there. */
+    /** The file may not be read; the error does not reveal whether it exists. */
     private static final class OutOfReachException extends IOException {
         private static final long serialVersionUID = 1L;
     }

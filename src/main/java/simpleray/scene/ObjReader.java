@@ -17,31 +17,31 @@ import simpleray.text.SceneBytes;
 import simpleray.text.SceneFormatException;
 
 /**
- * Reads the polygons of a Wavefront OBJ, and makes triangles of them: each polygon a fan from its first vertex. <em>Mutable,</em> for one
+ * Reads the polygons of a Wavefront OBJ as triangles: each polygon is a fan from its first vertex. <em>Mutable,</em> for one
  * thread.
  *
- * <p>Of the format (Wavefront, "Advanced Visualizer Manual", appendix B1) these lines count, and all others are passed over:
+ * <p>Of the format (Wavefront, "Advanced Visualizer Manual", appendix B1) these lines are read, and all others are skipped:
  * <pre>
- * v  x y z                           a vertex; a weight or a colour behind it is passed over
+ * v  x y z                           a vertex; a weight or a colour after it is skipped
  * vn x y z                           a normal, of any length
  * f  v/vt/vn v/vt/vn v/vt/vn ...     a polygon: indices of vertices, textures and normals; also v, v/vt and v//vn
  * </pre>
- * Numbers are written as in a scene file. An index is from 1 on, or from -1 backwards, of those above its line.
+ * Numbers have the form of a scene file. An index counts from 1, or backwards from -1, the things above its line.
  *
- * <p>A file of a million triangles is read by code that the JVM has not compiled yet. Therefore the methods for what is usual are small,
- * and look at bytes; whatever they do not know is looked at again, as a text, by those that know all rules and say what is wrong.
+ * <p>A file of a million triangles is read by code that the JVM has not compiled yet. Therefore the methods for common lines are small
+ * and work on bytes; they leave any other line to methods that read it again as text, know all rules and report errors.
  */
 final class ObjReader {
     private static final int INITIAL = 1 << 10;
     private static final int MIN_CORNERS = 3;
-    /** So many digits are an {@code int} whatever they are. */
+    /** The most digits that always fit into an {@code int}. */
     private static final int MAX_DIGITS = 9;
     private static final int NONE = -1;
 
     private final LineReader lines;
     private final Numerals numerals = new Numerals();
     private byte[] bytes;                                     // of the line
-    private int at;                                           // behind the latest word of the line
+    private int at;                                           // after the latest word of the line
     private int end;                                          // of the line
 
     private double[] vertices = new double[3 * INITIAL];
@@ -64,7 +64,7 @@ final class ObjReader {
         this.lines = lines;
     }
 
-    /** Reads a file of which nobody asks for the digest. */
+    /** Reads a file without its digest. */
     static Triangles read(Path path, Consumer<Problem> warnings) throws IOException {
         return read(path, warnings, digest -> { });
     }
@@ -73,11 +73,11 @@ final class ObjReader {
      * Reads a file.
      *
      * @param path the file; its path as given stands in messages
-     * @param warnings told of each warning
-     * @param digest told of the file's SHA-256
+     * @param warnings gets each warning
+     * @param digest gets the file's SHA-256
      * @return its triangles, at least one
      * @throws SceneFormatException if it is no OBJ with polygons
-     * @throws FileSystemException if it cannot be opened, with a reason that people understand
+     * @throws FileSystemException if it cannot be opened, with a readable reason
      * @throws IOException if it cannot be read
      */
     static Triangles read(Path path, Consumer<Problem> warnings, Consumer<String> digest) throws IOException {
@@ -149,14 +149,14 @@ final class ObjReader {
         vertices[i + 2] = readNumber("vertex ", vertexCount, 'z');
     }
 
-    /** Reads a normal, and makes it of unit length, or zero if it is. */
+    /** Reads a normal and scales it to unit length; zero stays zero. */
     private void readNormal() throws SceneFormatException {
         int i = 3 * normalCount++;
         normals = withRoom(normals, i);
         double x = readNumber("normal ", normalCount, 'x');
         double y = readNumber("normal ", normalCount, 'y');
         double z = readNumber("normal ", normalCount, 'z');
-        // a power of two, which rounds nothing, so that squares of small components are not 0
+        // an exact power of two, so that squares of small components do not underflow
         double unit = Math.scalb(1.0, -Math.getExponent(Math.max(Math.abs(x), Math.max(Math.abs(y), Math.abs(z)))));
         x *= unit;
         y *= unit;
@@ -227,7 +227,7 @@ final class ObjReader {
         }
     }
 
-    /** Reads an integer of a few digits; returns 0, which is no index, if there is none. */
+    /** Reads an integer of a few digits. {@return it, or 0, which is no index, if there is none} */
     private int readInteger() {
         boolean negative = bytes[at] == '-';
         int begin = negative ? at + 1 : at;
@@ -240,7 +240,7 @@ final class ObjReader {
         return i - begin > MAX_DIGITS ? 0 : negative ? -value : value;
     }
 
-    /** {@return an index of one of the things so far, counted from 0 on; NONE if there is none of it} */
+    /** {@return the index from 0 of one of the things so far; NONE if there is no such thing} */
     private static int fromStart(int index, int count) {
         return index > 0 && index <= count ? index - 1 : index < 0 && index >= -count ? count + index : NONE;
     }
@@ -329,12 +329,12 @@ final class ObjReader {
             Arrays.copyOf(normals, 3 * normalCount), triangleNormals == null ? null : Arrays.copyOf(triangleNormals, triangleEnd));
     }
 
-    /** {@return an array with room for three more numbers at this place} */
+    /** {@return an array with room for three more numbers at this index} */
     private static double[] withRoom(double[] array, int place) {
         return place < array.length ? array : Arrays.copyOf(array, larger(place));
     }
 
-    /** {@return a length half as much again, a multiple of 3 as all lengths here are} */
+    /** {@return a length 1.5 times as large, a multiple of 3 like all lengths here} */
     private static int larger(int length) {
         return (int) Math.min((Integer.MAX_VALUE - 8L) / 3, length / 3 * 3L / 2 + 1) * 3;
     }

@@ -8,14 +8,14 @@ import simpleray.math.Vector;
 import simpleray.text.SceneReader;
 import simpleray.text.SceneWriter;
 
-/** Something that a ray can hit (thesis, chapter 5). Not {@link java.lang.Object}, which each class extends anyway. */
+/** An object that a ray can hit (thesis, chapter 5). Not {@link java.lang.Object}, which each class extends anyway. */
 public abstract class Object implements SceneElement {
-    /** What {@link #intersect} returns for a miss. */
+    /** The result of {@link #intersect} for a miss. */
     public static final double MISS = -1;
-    /** Hits at this t or below are no hits, so that a ray does not hit the surface it starts on. */
+    /** Hits at this t or below do not count, so that a ray does not hit the surface it starts on. */
     public static final double THRESHOLD = 1e-7;
 
-    /** What the surface is made of; kept, not copied, and perhaps another object's too. */
+    /** The material of the surface; kept, not copied, and perhaps shared with other objects. */
     public Material surfaceMaterial;
 
     /**
@@ -36,22 +36,22 @@ public abstract class Object implements SceneElement {
     public abstract double intersect(Ray ray);
 
     /**
-     * Finds the normal at a point of the surface without a new vector, where a kind can. Any thread may call.
+     * Computes the normal at a point of the surface, without a new vector if the kind overrides this. Any thread may call.
      *
      * @param pt the point
-     * @param out gets what {@link #normal(Point)} returns
+     * @param out gets the result of {@link #normal(Point)}
      */
     public void normal(Point pt, Vector out) {
         out.copy(normal(pt));
     }
 
     /**
-     * Offers the nearest hit of a ray. Any thread may call, each with a hit of its own. An object of many parts may look no farther than what
-     * was found already.
+     * Finds the nearest hit of a ray, if it comes before the hit so far. Any thread may call, each with a hit of its own. An object of many
+     * parts may search no farther than the hit so far.
      *
      * @param ray the ray; its direction need not be of unit length
-     * @param place the object's place in the scene, from 0
-     * @param hit becomes this object's if that comes before it; reset since the ray before
+     * @param place the object's index in the scene
+     * @param hit is replaced if this object's comes before it; must be reset for each ray
      */
     public void intersect(Ray ray, int place, Hit hit) {
         double t = intersect(ray);
@@ -60,13 +60,13 @@ public abstract class Object implements SceneElement {
         }
     }
 
-    /** {@return how many parts it has that can be tested one by one; most have one} */
+    /** {@return the number of parts that can be tested one by one; 1 for most objects} */
     public int parts() {
         return 1;
     }
 
     /**
-     * Finds the box of a part. To be asked only if {@link #bounds()} is not null. Any thread may call.
+     * Computes the box of a part, if {@link #bounds()} is not null. Any thread may call.
      *
      * @param part the part, from 0
      * @param box gets xmin, ymin, zmin, xmax, ymax, zmax
@@ -76,46 +76,46 @@ public abstract class Object implements SceneElement {
     }
 
     /**
-     * Offers the hit of a ray on a part, as {@link #intersect(Ray, int, Hit)} does that on the whole.
+     * Finds the hit of a ray on a part, as {@link #intersect(Ray, int, Hit)} on the whole.
      *
      * @param ray the ray
-     * @param place the object's place in the scene, from 0
+     * @param place the object's index in the scene
      * @param part the part, from 0
-     * @param hit becomes this object's if that comes before it
+     * @param hit is replaced if this object's comes before it
      */
     public void intersect(Ray ray, int place, int part, Hit hit) {
         intersect(ray, place, hit);
     }
 
     /**
-     * Tells whether a ray hits a part before some distance, as {@link #occludes(Ray, double, Hit)} does of the whole.
+     * Tests whether a ray hits a part before some distance, as {@link #occludes(Ray, double, Hit)} for the whole.
      *
      * @param ray the ray
      * @param distance the distance, in lengths of the ray's direction
      * @param part the part, from 0
-     * @param scratch working space, the calling thread's own, reset since the ray before
-     * @return whether it does
+     * @param scratch working space, the calling thread's own; must be reset for each ray
+     * @return whether there is a hit
      */
     public boolean occludes(Ray ray, double distance, int part, Hit scratch) {
         return occludes(ray, distance, scratch);
     }
 
     /**
-     * Makes ready what hits need, if there is anything; else it is made when first it is needed.
+     * Builds what intersection needs, such as a mesh's tree, which is otherwise built at the first hit.
      *
-     * @param threads how many threads may work on it
+     * @param threads the number of threads to use
      */
     public void prepare(int threads) {
         // most objects need nothing
     }
 
     /**
-     * Tells whether a ray hits the object before some distance. Any thread may call.
+     * Tests whether a ray hits the object before some distance. Any thread may call.
      *
      * @param ray the ray; its direction need not be of unit length
      * @param distance the distance, in lengths of the ray's direction
-     * @param scratch working space, the calling thread's own, reset since the ray before
-     * @return whether {@link #intersect(Ray)} finds a hit there
+     * @param scratch working space, the calling thread's own; must be reset for each ray
+     * @return whether there is a hit
      */
     public boolean occludes(Ray ray, double distance, Hit scratch) {
         double t = intersect(ray);
@@ -123,7 +123,7 @@ public abstract class Object implements SceneElement {
     }
 
     /**
-     * Finds the normal at a point of the surface. Any thread may call.
+     * Returns the normal at a point of the surface. Any thread may call.
      *
      * @param pt the point
      * @return a new vector of unit length, which the caller may change; outward where there is an outside
@@ -131,18 +131,18 @@ public abstract class Object implements SceneElement {
     public abstract Vector normal(Point pt);
 
     /**
-     * Finds a box that holds the object. Any thread may call.
+     * Returns a box that contains the object. Any thread may call.
      *
      * @return the box; null if the object is infinite
      */
     public abstract Bounds bounds();
 
     /**
-     * Finds the normals at a hit. Any thread may call.
+     * Computes the normals at a hit. Any thread may call.
      *
-     * @param hit what {@link #intersect(Ray, int, Hit)} found
-     * @param at its point is where the hit is; gets both normals, of unit length and outward, which are one unless vertex normals make
-     *     facets look round
+     * @param hit the hit, from {@link #intersect(Ray, int, Hit)}
+     * @param at has the hit point, and gets both normals, of unit length and outward; they differ only where vertex normals make facets
+     *     look round
      */
     public void surface(Hit hit, Interaction at) {
         normal(at.point, at.outward);
@@ -159,16 +159,16 @@ public abstract class Object implements SceneElement {
     public abstract void print(SceneWriter os) throws IOException;
 
     /**
-     * Reads the object, its material last, all but the code of its kind.
+     * Reads the object without the code of its kind, and its material last.
      *
      * @param is where from
-     * @throws IOException if it is not there or makes no object
+     * @throws IOException if it is missing or is no object
      */
     @Override
     public abstract void read(SceneReader is) throws IOException;
 
     /**
-     * Writes the object, so that {@link #read} gets an equal one.
+     * Writes the object in the form that {@link #read} reads.
      *
      * @param os where to
      * @throws IOException if it cannot be written
@@ -182,10 +182,10 @@ public abstract class Object implements SceneElement {
     }
 
     /**
-     * Reads the object's material, which is that of an earlier object if they are equal.
+     * Reads the object's material, or refers to an equal one read before.
      *
      * @param is where from
-     * @throws IOException if it is not there
+     * @throws IOException if it is missing
      */
     protected final void readMaterial(SceneReader is) throws IOException {
         surfaceMaterial = is.kept(Materials.class, Materials.MAKER).read(is);

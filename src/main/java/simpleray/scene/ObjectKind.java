@@ -3,8 +3,8 @@ package simpleray.scene;
 import simpleray.scene.KindTable.Kind;
 
 /**
- * The kinds of object that a scene file knows: a new one is a class and a line here. Those of which there may be millions are made
- * without what reading gives them anyway. No method references: the first ones take 5 ms of each start.
+ * The kinds of object that a scene file knows: a new one needs a class and a line here. Kinds of which there may be millions are made
+ * without the values that reading sets anyway. No method references: the first ones take 5 ms of each start.
  */
 final class ObjectKind {
     static final KindTable<Object> TABLE = new KindTable<Object>("object")

@@ -3,20 +3,20 @@ package simpleray.scene;
 import simpleray.math.Point;
 import simpleray.math.Vector;
 
-/** Where light goes on from a surface. */
+/** Directions and origins of rays that leave a surface. */
 public final class Optics {
-    /** Up to here roundings of a coordinate are far below {@link Object#THRESHOLD}, also where they are seen at a grazing angle. */
+    /** Up to this coordinate rounding errors are far below {@link Object#THRESHOLD}, at grazing angles too. */
     private static final double LARGE = 1e4;
-    /** A share of a coordinate that is larger than its roundings on the way to a hit. */
+    /** An upper bound of the rounding errors of a hit point, as a share of its coordinates. */
     private static final double ROUNDINGS = 0x1p-48;
 
     private Optics() {
     }
 
     /**
-     * Finds the mirror direction R = D - 2 (D·N) N.
+     * Computes the mirror direction R = D - 2 (D·N) N.
      *
-     * @param mirror gets it; not one of the others
+     * @param mirror gets R; not one of the others
      * @param direction the direction of the ray
      * @param normal the unit normal
      */
@@ -26,13 +26,13 @@ public final class Optics {
     }
 
     /**
-     * Finds the direction in which a ray goes on behind a surface (Snell's law; Whitted 1980).
+     * Computes the direction of the refracted ray (Snell's law; Whitted 1980).
      *
-     * @param bent gets it, of unit length; not one of the others
+     * @param bent gets the direction, of unit length; not one of the others
      * @param direction the direction of the ray, of unit length
      * @param normal the unit normal, on the side from which the ray comes
-     * @param ratio the refractive index of where it comes from, divided by that of where it goes
-     * @return whether there is one; there is none at total internal reflection
+     * @param ratio the refractive index on the side it comes from, divided by that on the other side
+     * @return false at total internal reflection, where there is none
      */
     public static boolean refract(Vector bent, Vector direction, Vector normal, double ratio) {
         double cos = -direction.dot(normal);
@@ -47,13 +47,13 @@ public final class Optics {
     }
 
     /**
-     * Moves a hit point off its surface by what roundings may have put it on the other side, lest rays that begin there hit the very
-     * surface they leave. Up to coordinates of 10,000 that is so much less than {@link Object#THRESHOLD} that nothing is moved.
+     * Moves a hit point off its surface by more than its rounding error, so that rays that start there do not hit the surface they leave.
+     * Up to coordinates of 10,000 the error is so far below {@link Object#THRESHOLD} that the point is not moved.
      *
      * @param point the point, which is changed
      * @param normal the surface's unit normal on the side from which the ray came
-     * @param t how far the ray came
-     * @return how far the point was moved
+     * @param t the distance that the ray travelled
+     * @return the distance by which the point was moved
      */
     public static double lift(Point point, Vector normal, double t) {
         boolean large = Math.abs(point.x) > LARGE || Math.abs(point.y) > LARGE || Math.abs(point.z) > LARGE || t > LARGE;
@@ -73,11 +73,11 @@ public final class Optics {
     }
 
     /**
-     * Moves a lifted hit point as far to the other side of its surface, for a ray that goes on through it.
+     * Moves a lifted hit point to the other side of its surface, at the same distance, for a refracted ray.
      *
      * @param point the point, which is changed
      * @param normal the normal along which it was lifted
-     * @param height how far it was lifted
+     * @param height the distance by which it was lifted
      */
     public static void sink(Point point, Vector normal, double height) {
         if (height > 0) {

@@ -4,10 +4,10 @@ import simpleray.math.Ray;
 import simpleray.scene.PerspectiveCamera.Pose;
 
 /**
- * A free camera by where it stands round its look-at point, the pivot, as one who moves it thinks of it. <em>Constant.</em>
+ * A free camera by its position relative to its look-at point, the pivot, in the terms of moving it. <em>Constant.</em>
  *
  * <p>The eye lies at pivot + distance (sin yaw cos pitch, sin pitch, cos yaw cos pitch). The poles are never crossed, so that up
- * stays up: a camera that is turned keeps {@link #NEAREST_POLE} away from them. Only one whose scene says so looks straight down or up,
+ * stays up: a turned camera keeps {@link #NEAREST_POLE} away from them. A scene's camera may look straight down or up
  * until it is turned.
  *
  * @param x x of the pivot
@@ -15,24 +15,24 @@ import simpleray.scene.PerspectiveCamera.Pose;
  * @param z z of the pivot
  * @param yaw degrees round the y axis, from +z (0) towards +x (90), -180 to 180
  * @param pitch degrees above the pivot, -90 to 90
- * @param distance from the pivot to the eye, above 0
+ * @param distance the distance from the pivot to the eye, above 0
  * @param fov the vertical field of view in degrees
  */
 public record Orbit(double x, double y, double z, double yaw, double pitch, double distance, double fov) {
-    /** Degrees from straight down or up that a turned camera keeps. */
+    /** The least angle of a turned camera from straight down or up, in degrees. */
     public static final double NEAREST_POLE = 0.1;
 
     private static final double POLE = 90;
     private static final double FULL_TURN = 360;
-    /** No dolly brings the eye nearer, in scene units: rays do not see what is much nearer. */
+    /** The least distance after a dolly, in scene units; rays do not hit objects that are much nearer. */
     private static final double NEAREST = 1e-6;
-    /** Nor so near that the eye's coordinates could not be told from the pivot's. */
+    /** The least distance as a share of the coordinates, so that the eye's differ from the pivot's. */
     private static final double NEAREST_SHARE = 1e-9;
-    /** What the eye sees is taken for the pivot if it is at most so many times nearer or farther than the pivot was. */
+    /** The largest factor by which a new pivot may be nearer or farther than the old one. */
     private static final double SOUND = 1000;
 
     /**
-     * Finds where a camera stands round its look-at point.
+     * Returns the orbit of a camera round its look-at point.
      *
      * @param pose the camera, without {@link Pose#fault fault}
      * @return the same camera
@@ -42,7 +42,7 @@ public record Orbit(double x, double y, double z, double yaw, double pitch, doub
         double dy = pose.ey() - pose.ly();
         double dz = pose.ez() - pose.lz();
         double across = StrictMath.hypot(dx, dz);
-        // straight down or up, where the camera has -z as its up: it stands in front of that up, and behind it
+        // straight down or up, the camera has -z as its up: it is in front of that, or behind it
         double yaw = across > 0 ? StrictMath.toDegrees(StrictMath.atan2(dx, dz)) : dy > 0 ? 0 : FULL_TURN / 2;
         double pitch = across > 0 ? StrictMath.toDegrees(StrictMath.atan2(dy, across)) : Math.copySign(POLE, dy);
         return new Orbit(pose.lx(), pose.ly(), pose.lz(), yaw, pitch, StrictMath.hypot(across, dy), pose.fov());
@@ -57,8 +57,8 @@ public record Orbit(double x, double y, double z, double yaw, double pitch, doub
     /**
      * Turns the camera round its pivot.
      *
-     * @param right degrees by which it goes to its right
-     * @param up degrees by which it goes up, as far as the pole lets it
+     * @param right degrees to its right
+     * @param up degrees up, limited by the poles
      * @return the turned camera
      */
     public Orbit turned(double right, double up) {
@@ -69,8 +69,8 @@ public record Orbit(double x, double y, double z, double yaw, double pitch, doub
     /**
      * Moves the camera and its pivot sideways.
      *
-     * @param right how far to its right, 1 being the height of what the picture shows at the pivot's distance
-     * @param up how far to its top, likewise
+     * @param right the distance to its right, in heights of the picture at the pivot's distance
+     * @param up the distance to its top, likewise
      * @return the moved camera
      */
     public Orbit panned(double right, double up) {
@@ -84,7 +84,7 @@ public record Orbit(double x, double y, double z, double yaw, double pitch, doub
     /**
      * Moves the camera towards its pivot, which it never reaches, or away from it.
      *
-     * @param factor what the distance is multiplied by, above 0
+     * @param factor the factor of the distance, above 0
      * @return the moved camera
      */
     public Orbit dollied(double factor) {
@@ -93,10 +93,10 @@ public record Orbit(double x, double y, double z, double yaw, double pitch, doub
     }
 
     /**
-     * Takes what the middle of the picture shows for the pivot. The picture stays as it is.
+     * Moves the pivot to the point in the middle of the picture. The picture does not change.
      *
      * @param scene the scene
-     * @return the same camera with that pivot; this one if the middle shows nothing, or something that is much too near or too far
+     * @return the same camera with that pivot; this one if the middle shows no object, or one that is much too near or too far
      */
     public Orbit aimed(Scene scene) {
         Ray ray = new PerspectiveCamera(pose(), 1, 1).through(0.5, 0.5);
@@ -105,12 +105,12 @@ public record Orbit(double x, double y, double z, double yaw, double pitch, doub
             double t = scene.getObject(i).intersect(ray);
             nearest = t >= 0 ? Math.min(nearest, t) : nearest;
         }
-        double ahead = distance - nearest;                    // how far the new pivot lies before the old one
+        double ahead = distance - nearest;                    // from the new pivot to the old one
         return nearest > distance / SOUND && nearest < distance * SOUND ? sound(x + ahead * sin(yaw) * cos(pitch),
             y + ahead * sin(pitch), z + ahead * cos(yaw) * cos(pitch), yaw, pitch, nearest) : this;
     }
 
-    /** {@return that camera; this one if that is where no double reaches} */
+    /** {@return the camera with these values; this one if its pose would not be finite} */
     private Orbit sound(double newX, double newY, double newZ, double newYaw, double newPitch, double newDistance) {
         Orbit other = new Orbit(newX, newY, newZ, newYaw, newPitch, newDistance, fov);
         Pose pose = other.pose();
@@ -122,7 +122,7 @@ public record Orbit(double x, double y, double z, double yaw, double pitch, doub
         return StrictMath.sin(StrictMath.toRadians(degrees));
     }
 
-    /** {@return the cosine, which is 0 at a pole and not almost 0: only there is the view along y} */
+    /** {@return the cosine, exactly 0 at a pole, since only there the view is along y} */
     private static double cos(double degrees) {
         return Math.abs(degrees) == POLE ? 0 : StrictMath.cos(StrictMath.toRadians(degrees));
     }

@@ -4,7 +4,7 @@ import simpleray.math.Point;
 import simpleray.math.Ray;
 import simpleray.math.Vector;
 
-/** A viewer that stands anywhere and looks anywhere. <em>Constant.</em> Up is +y, or -z if the view is along y. */
+/** A camera at any point with any direction. <em>Constant.</em> Up is +y, or -z if the view is along y. */
 public final class PerspectiveCamera implements Camera {
     private static final double HALF_TURN = 180;
     private static final double FAR = 1e100;
@@ -15,13 +15,13 @@ public final class PerspectiveCamera implements Camera {
     private final Vector forward;                             // from the eye to the middle of the window
     private final Vector right;
     private final Vector up;
-    private final double halfWidth;                           // of the window, which lies where it looks at
+    private final double halfWidth;                           // of the window, which is at the look-at point
     private final double halfHeight;
 
     /**
      * Creates a camera. Pixels are square: the horizontal field of view follows from the vertical one.
      *
-     * @param pose where it stands, where to it looks, and how wide
+     * @param pose its eye, look-at point and field of view
      * @param width the width in pixels, 1 or more
      * @param height the height in pixels, 1 or more
      */
@@ -29,7 +29,7 @@ public final class PerspectiveCamera implements Camera {
         this.width = width;
         this.height = height;
         eye = new Point(pose.ex(), pose.ey(), pose.ez());
-        // halves, lest a difference overflow
+        // halves, so that no difference overflows
         forward = new Vector(pose.lx() / 2 - pose.ex() / 2, pose.ly() / 2 - pose.ey() / 2, pose.lz() / 2 - pose.ez() / 2);
         forward.normalise();
         boolean alongY = forward.x == 0 && forward.z == 0;
@@ -44,8 +44,8 @@ public final class PerspectiveCamera implements Camera {
     }
 
     /**
-     * {@return half the height of what is seen at a distance} The tangent of half an angle is written such that it is 1 for 90 degrees,
-     * which the tangent of a rounded quarter of pi is not.
+     * {@return half the height of the view at a distance} The tangent of the half angle is computed so that it is exactly 1 for 90 degrees,
+     * unlike the tangent of a rounded quarter of pi.
      */
     static double halfHeight(double distance, double fov) {
         double angle = StrictMath.toRadians(fov);
@@ -55,7 +55,7 @@ public final class PerspectiveCamera implements Camera {
     }
 
     /**
-     * Where a camera stands, where to it looks, and how wide. <em>Constant.</em>
+     * The eye, the look-at point and the field of view of a camera. <em>Constant.</em>
      *
      * @param ex x of the eye
      * @param ey y of the eye
@@ -66,12 +66,12 @@ public final class PerspectiveCamera implements Camera {
      * @param fov the vertical field of view in degrees, above 0 and below 180
      */
     public record Pose(double ex, double ey, double ez, double lx, double ly, double lz, double fov) {
-        /** What a good field of view is. */
+        /** The range of a field of view, for messages. */
         static final String FOV = "field of view above 0 and below 180 degrees";
-        /** What a good look-at point is. */
+        /** The condition on a look-at point, for messages. */
         static final String LOOK_AT = "look-at point other than the eye";
 
-        /** {@return what is wrong with the pose; null if nothing is} */
+        /** {@return the fault of the pose; null if there is none} */
         public String fault() {
             if (!(fov > 0 && fov < HALF_TURN)) {
                 return FOV;
@@ -79,7 +79,7 @@ public final class PerspectiveCamera implements Camera {
             return ex == lx && ey == ly && ez == lz ? LOOK_AT : null;
         }
 
-        /** {@return how far the point it looks at is from the eye} */
+        /** {@return the distance from the eye to the look-at point} */
         double distance() {
             return StrictMath.hypot(StrictMath.hypot(lx - ex, ly - ey), lz - ez);
         }
@@ -117,7 +117,7 @@ public final class PerspectiveCamera implements Camera {
 
     @Override
     public void through(double px, double py, Ray ray) {
-        // in the very order of SimpleCamera: looking along -z from the z axis it finds the same rays, bit for bit
+        // in the order of SimpleCamera: looking along -z from the z axis gives the same rays, bit for bit
         double x = -halfWidth + px * (2 * halfWidth) / width;
         double y = halfHeight - py * (2 * halfHeight) / height;
         ray.origin.copy(eye);

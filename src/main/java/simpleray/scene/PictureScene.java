@@ -19,13 +19,13 @@ import simpleray.text.SceneBytes;
 import simpleray.text.Sha256;
 
 /**
- * What a picture tells of how it was made, in the texts that its file carries. <em>Constant.</em>
+ * The description of how a picture was made, from the texts that its file carries. <em>Constant.</em>
  *
  * @param file the picture's name, for messages
  * @param software the program that made it and its version
- * @param settings size, depth, samples, camera and background, as far as they were asked for
+ * @param settings size, depth, samples, camera and background, as far as they were set
  * @param others the other options, a line each
- * @param text the scene, of which the text itself may be missing, and the meshes that it names
+ * @param text the scene, perhaps without its bytes, and its meshes
  */
 public record PictureScene(String file, String software, SceneSettings settings, List<String> others, SourceText text) {
     private static final String SOFTWARE = "Software";
@@ -36,11 +36,11 @@ public record PictureScene(String file, String software, SceneSettings settings,
     private static final String GAP = "  ";                   // as sha256sum writes
 
     /**
-     * Reads what a picture tells.
+     * Reads the description from a picture.
      *
      * @param path the picture's file
-     * @return what it tells
-     * @throws PictureFormatException if it is no PNG, is damaged, or does not tell it
+     * @return the description
+     * @throws PictureFormatException if it is no PNG, is damaged, or has no description
      * @throws IOException if it cannot be read
      */
     public static PictureScene read(Path path) throws IOException {
@@ -99,7 +99,7 @@ public record PictureScene(String file, String software, SceneSettings settings,
     }
 
     /**
-     * Puts together what a picture is to tell, so that {@link #read} finds it.
+     * Makes the texts of a picture, in the form that {@link #read} reads.
      *
      * @param software the program that makes it and its version
      * @param options the options, a line each
@@ -130,9 +130,9 @@ public record PictureScene(String file, String software, SceneSettings settings,
     }
 
     /**
-     * Finds the meshes that are others now than when the picture was made.
+     * Returns the meshes that have changed since the picture was made.
      *
-     * @param now those that were read now
+     * @param now the meshes as read now
      * @return their names
      */
     public List<String> changed(List<MeshFile> now) {
@@ -141,11 +141,11 @@ public record PictureScene(String file, String software, SceneSettings settings,
     }
 
     /**
-     * Reads the scene, which gets the picture's settings.
+     * Reads the scene, with the picture's settings.
      *
-     * @param name what messages call it
-     * @param folder where the files lie that it names
-     * @param reach which of them it may name
+     * @param name its name for messages
+     * @param folder the folder of the files that it names
+     * @param reach the files that it may name
      * @return the scene
      * @throws PictureFormatException if the picture carries only the digest
      * @throws IOException if there are errors in it, or a mesh cannot be read

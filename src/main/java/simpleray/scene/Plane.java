@@ -15,7 +15,7 @@ import simpleray.text.SceneWriter;
 public final class Plane extends Object {
     /** The constant c of P·N = c. */
     public double constant;
-    /** The normal N; need not be of unit length, must not be zero. */
+    /** The normal N, of any length but 0. */
     public Vector normal;
 
     private final UnitVector unit = new UnitVector();
@@ -45,14 +45,14 @@ public final class Plane extends Object {
     }
 
     /**
-     * Finds the hit of a ray on a plane.
+     * Returns the hit of a ray on a plane.
      *
-     * @param height how far the plane is above the ray's origin, c - O·N
-     * @param slope how much of it the ray climbs, D·N
+     * @param height the height of the plane above the ray's origin, c - O·N
+     * @param slope the height that the ray gains per t, D·N
      * @return t of the hit, or {@link #MISS}
      */
     public static double hit(double height, double slope) {
-        double t = height / slope;                            // along the plane it is infinite, or no number
+        double t = height / slope;                            // infinite or NaN for a ray along the plane
         return t > THRESHOLD && t < Double.POSITIVE_INFINITY ? t : MISS;
     }
 

@@ -8,7 +8,7 @@ import simpleray.text.SceneWriter;
 
 /** A light that shines from one point in all directions (thesis, chapter 5). */
 public final class PointLight extends Light {
-    /** Where the light is. */
+    /** The position of the light. */
     public Point origin;
 
     /** Creates a white light at the origin. */
@@ -19,7 +19,7 @@ public final class PointLight extends Light {
     /**
      * Creates a white light.
      *
-     * @param p where it is, referenced
+     * @param p its position, referenced
      */
     public PointLight(Point p) {
         origin = p;

@@ -8,18 +8,18 @@ public final class RayStats {
     public long primary;
     /** Mirror rays. */
     public long reflected;
-    /** Rays that went on through a surface. */
+    /** Refracted rays. */
     public long refracted;
     /** Rays towards lights. */
     public long shadow;
-    /** How often an object was asked whether a ray hits it; a mesh counts as one. */
+    /** Tests of objects with rays; a mesh counts as one. */
     public long tests;
-    /** Cells of a grid, or nodes of a tree, that rays came to. */
+    /** Visited cells of a grid or nodes of a tree. */
     public long steps;
-    /** How many rays there were after no reflection or refraction, after one, and so on; shadow rays apart. */
+    /** The number of rays after no reflection or refraction, after one, and so on, without shadow rays. */
     public long[] depths = new long[1];
 
-    /** Creates counts of nothing. */
+    /** Creates counts of 0. */
     public RayStats() {
     }
 
@@ -29,9 +29,9 @@ public final class RayStats {
     }
 
     /**
-     * Counts a ray that is no shadow ray.
+     * Counts a ray other than a shadow ray.
      *
-     * @param level how many reflections and refractions led to it
+     * @param level the number of reflections and refractions before it
      */
     public void ray(int level) {
         if (level >= depths.length) {
@@ -41,7 +41,7 @@ public final class RayStats {
     }
 
     /**
-     * Adds what another thread did.
+     * Adds the counts of another thread.
      *
      * @param other its counts
      */

@@ -16,11 +16,11 @@ import simpleray.scene.RayTree.Thing;
 import simpleray.scene.RayTree.Verdict;
 
 /**
- * Records why rays see what they see, as trees of rays, while a {@link WhittedIntegrator} traces them. <em>Mutable</em>: one thread's
+ * Records trees of rays that explain their colours, while a {@link WhittedIntegrator} traces them. <em>Mutable</em>: one thread's
  * own, and for one pixel. An interrupt of the thread cancels the tracing with a {@link CancellationException}.
  */
 public final class RayTreeRecorder implements Recorder {
-    /** So many rays are recorded in full; of later ones only the colours are, or the tree of much glass would fill the memory. */
+    /** The most rays recorded in full; of later ones only the colours are, since a tree of much glass would fill the memory. */
     public static final int MAX_RAYS = 10_000;
 
     private final Scene scene;
@@ -31,12 +31,12 @@ public final class RayTreeRecorder implements Recorder {
     private int rays;
     private RayTree latest;
 
-    /** A ray that has not ended: what is known of it so far. */
+    /** A ray that has not ended, as far as it is known. */
     private static final class Node {
         final Ray ray;
         final int depth;
         final boolean told;
-        Thing object;                                         // null as long as nothing is hit
+        Thing object;                                         // null until the hit is known
         double distance;
         Point point;
         Vector normal;
@@ -65,7 +65,7 @@ public final class RayTreeRecorder implements Recorder {
         this(scene, MAX_RAYS);
     }
 
-    /** Creates one that records so many rays in full. */
+    /** Creates a recorder with another limit of rays recorded in full. */
     RayTreeRecorder(Scene scene, int most) {
         this.scene = scene;
         this.most = most;
@@ -83,10 +83,10 @@ public final class RayTreeRecorder implements Recorder {
     }
 
     /**
-     * Names an object of a scene.
+     * Describes an object of a scene.
      *
      * @param scene the scene
-     * @param place its place, from 0
+     * @param place its index
      * @return its number, kind and line
      */
     public static Thing object(Scene scene, int place) {
@@ -130,10 +130,10 @@ public final class RayTreeRecorder implements Recorder {
         }
     }
 
-    /** {@return what is between a point and a light, as far as it was asked} */
+    /** {@return the objects between a point and a light, up to the one that blocks} */
     private List<Between> between(Point point, Vector towards, VisibilityTester seen, Colour intensity, Colour arriving) {
         boolean whole = !arriving.isBlack() && arriving.r == intensity.r && arriving.g == intensity.g && arriving.b == intensity.b;
-        if (!seen.shadows || seen.facing <= 0 || whole && opaque) {   // clear glass may be between, and dims nothing
+        if (!seen.shadows || seen.facing <= 0 || whole && opaque) {   // clear glass between does not dim
             return List.of();
         }
         List<Between> between = new ArrayList<>();

@@ -4,14 +4,14 @@ import simpleray.math.Colour;
 import simpleray.math.Ray;
 import simpleray.math.Vector;
 
-/** Hears what a {@link WhittedIntegrator} finds, while it finds it. What is handed over changes afterwards, and is not to be changed. */
+/** Is told of the steps of a {@link WhittedIntegrator}. Must copy the arguments, which are reused, and must not change them. */
 public interface Recorder {
     /**
-     * A ray begins: from the eye, or from the surface that was hit last.
+     * A ray starts, from the eye or from the last hit surface.
      *
      * @param ray the ray
-     * @param depth how many reflections and refractions may follow
-     * @param level how many led to it
+     * @param depth the number of reflections and refractions that may follow
+     * @param level the number of those before it
      */
     default void begin(Ray ray, int depth, int level) {
     }
@@ -26,24 +26,24 @@ public interface Recorder {
     }
 
     /**
-     * A light was looked at.
+     * The contribution of a light is computed.
      *
-     * @param number its place in the scene, from 0
-     * @param seen where it is, and whether the surface faces it
-     * @param arriving what of its colour reaches the surface
+     * @param number its index in the scene
+     * @param seen its direction and distance, and whether the surface faces it
+     * @param arriving the part of its colour that reaches the surface
      * @param halfway the unit vector H halfway between L and the way back along the ray
-     * @param cosine N·H, which counts as 0 if it is below
-     * @param diffuse what the surface scatters of it; black if that is not asked for
-     * @param specular its highlight; black if that is not asked for
+     * @param cosine N·H; below 0 it counts as 0
+     * @param diffuse its diffuse term; black if the picture does not show it
+     * @param specular its specular term; black if the picture does not show it
      */
     default void light(int number, VisibilityTester seen, Colour arriving, Vector halfway, double cosine, Colour diffuse,
             Colour specular) {
     }
 
     /**
-     * All lights were looked at.
+     * All lights are computed.
      *
-     * @param ambient the ambient term; black if that is not asked for
+     * @param ambient the ambient term; black if the picture does not show it
      * @param diffuse the sum of the diffuse terms
      * @param specular the sum of the specular ones
      */
@@ -51,19 +51,19 @@ public interface Recorder {
     }
 
     /**
-     * The ray that goes on from the surface was followed to its end, and adds something.
+     * A ray that leaves the surface has ended, and contributes to the colour.
      *
-     * @param share how much of what it sees counts
-     * @param added that share of it
-     * @param refracted whether it went on through the surface
+     * @param share the factor of its colour
+     * @param added its colour times this factor
+     * @param refracted whether it is the refracted ray
      */
     default void followed(Colour share, Colour added, boolean refracted) {
     }
 
     /**
-     * The latest ray that has not ended ends.
+     * The innermost ray ends.
      *
-     * @param colour what it sees
+     * @param colour its colour
      */
     default void end(Colour colour) {
     }

@@ -7,20 +7,20 @@ import simpleray.text.SceneFormatException;
 import simpleray.text.SceneReader;
 
 /**
- * Finds out whether a scene that makes no sense would make sense with other numbers of objects or lights than it announces. Then this
- * is what is wrong, and not that the value behind the last announced object is no number of lights. <em>Constant.</em>
+ * Tries whether a scene with errors would be right with other numbers of objects or lights than it announces. Then the error is the
+ * wrong number, and not the value after the last announced object. <em>Constant.</em>
  */
 final class Recount {
     /** A longer file is not read again: it takes time, and nobody counts its objects by hand. */
     static final int MAX_BYTES = 1 << 18;
 
-    /** The last thing that seems to be one may be what follows them: an ambient light of 0 0 0 begins like a sphere. */
+    /** The last object read may belong to what follows: an ambient light of 0 0 0 begins like a sphere. */
     private static final int BACK = 1;
 
     private final Source source;
     private final Reach reach;
 
-    /** What opens the scene once more. */
+    /** Opens the scene again. */
     interface Source {
         SceneReader open();
     }
@@ -30,7 +30,7 @@ final class Recount {
         this.reach = reach;
     }
 
-    /** {@return what was wrong, or if other numbers are right, that} */
+    /** {@return the first error, or the error that other numbers are right} */
     SceneFormatException explained(SceneFormatException first) throws IOException {
         SceneFormatException told = withOtherLights(first, null);
         int seen = told == first ? objects() : 0;
@@ -40,10 +40,10 @@ final class Recount {
         return told;
     }
 
-    /** {@return the error that so many objects are right, or null for those announced, with as many lights as follow} */
+    /** {@return the error that this number of objects, null for the announced one, is right with the lights that follow} */
     private SceneFormatException withOtherLights(SceneFormatException first, Integer objects) throws IOException {
         int seen = lights(objects);
-        return seen > 0 ? attempt(first, objects, seen) : first;      // a file that is cut off may seem to end without lights
+        return seen > 0 ? attempt(first, objects, seen) : first;      // a truncated file may seem to end without lights
     }
 
     /** {@return the error that these numbers are the right ones; the first error if they are not} */
@@ -58,19 +58,19 @@ final class Recount {
         return first;
     }
 
-    /** {@return how many objects can be read, one after another} */
+    /** {@return the number of objects that can be read, one after another} */
     private int objects() throws IOException {
         ArrayList<Object> objects = new ArrayList<>();
         try (SceneReader is = open()) {
             is.readInt();
             ObjectKind.TABLE.readAll(is, Integer.MAX_VALUE, new LineTable(), objects);
         } catch (SceneFormatException e) {
-            return objects.size();                            // as a rule: no file holds so many
+            return objects.size();                            // the usual end: no file contains the maximum
         }
         return objects.size();
     }
 
-    /** {@return how many lights can be read after this many objects, or after those announced; -1 if not even the ambient light can} */
+    /** {@return the number of lights that can be read after this or the announced number of objects; -1 without ambient light} */
     private int lights(Integer objects) throws IOException {
         ArrayList<Light> lights = new ArrayList<>();
         boolean ambient = false;

@@ -18,7 +18,7 @@ public final class Scene {
     private static final int MAX_ERRORS = 20;
     /** The ambient light that falls on every object alike, GA. */
     public Colour ambient = new Colour();
-    /** What the scene's file, or who renders it, asks of camera and renderer; not null. */
+    /** The settings of camera and renderer, from the scene's file or its user; not null. */
     public SceneSettings settings = new SceneSettings();
 
     private final List<Object> objects = new ArrayList<>();
@@ -43,7 +43,7 @@ public final class Scene {
     }
 
     /**
-     * Sets the number of objects. Places are made as they are set, and each must be before the scene is used.
+     * Sets the number of objects, each of which must be set before the scene is used.
      *
      * @param n the number, 0 or more
      */
@@ -52,7 +52,7 @@ public final class Scene {
     }
 
     /**
-     * Sets the number of lights. Places are made as they are set, and each must be before the scene is used.
+     * Sets the number of lights, each of which must be set before the scene is used.
      *
      * @param n the number, 0 or more
      */
@@ -61,11 +61,11 @@ public final class Scene {
     }
 
     /**
-     * Puts an object in its place.
+     * Sets an object.
      *
-     * @param i the place, from 0
+     * @param i its index
      * @param o the object, referenced
-     * @throws IndexOutOfBoundsException if there is no such place
+     * @throws IndexOutOfBoundsException if the index is out of range
      */
     public void setObject(int i, Object o) {
         put(objects, Objects.checkIndex(i, numberObjects), o);
@@ -73,11 +73,11 @@ public final class Scene {
     }
 
     /**
-     * Puts a light in its place.
+     * Sets a light.
      *
-     * @param i the place, from 0
+     * @param i its index
      * @param o the light, referenced
-     * @throws IndexOutOfBoundsException if there is no such place
+     * @throws IndexOutOfBoundsException if the index is out of range
      */
     public void setLight(int i, Light o) {
         put(lights, Objects.checkIndex(i, numberLights), o);
@@ -85,9 +85,9 @@ public final class Scene {
     }
 
     /**
-     * Finds an object.
+     * Returns an object.
      *
-     * @param i its place, from 0
+     * @param i its index
      * @return the object itself
      */
     public Object getObject(int i) {
@@ -95,31 +95,31 @@ public final class Scene {
     }
 
     /**
-     * Finds a light.
+     * Returns a light.
      *
-     * @param i its place, from 0
+     * @param i its index
      * @return the light itself
      */
     public Light getLight(int i) {
         return lights.get(i);
     }
 
-    /** {@return the line of the scene's file on which the object at a place from 0 begins; 0 if it is from no file} */
+    /** {@return the first line of an object in the scene's file; 0 if it is from no file} */
     int objectLine(int i) {
         return objectLines.get(i);
     }
 
-    /** {@return the line of the scene's file on which the light at a place from 0 begins; 0 if it is from no file} */
+    /** {@return the first line of a light in the scene's file; 0 if it is from no file} */
     int lightLine(int i) {
         return lightLines.get(i);
     }
 
     /**
-     * Finds the colour that a ray sees. Any thread may call.
+     * Computes the colour that a ray sees. Any thread may call.
      *
      * @param ray the ray, of unit direction
      * @param colour gets the colour, linear and not clamped; the background if nothing is hit
-     * @param depth how many reflections and refractions may follow, 0 or more
+     * @param depth the number of reflections and refractions that may follow, 0 or more
      * @return whether an object is hit
      */
     public boolean intersect(Ray ray, Colour colour, int depth) {
@@ -127,19 +127,19 @@ public final class Scene {
     }
 
     /**
-     * Finds parts of the colour that a ray sees, by asking all objects in turn. Any thread may call.
+     * Computes some terms of the colour that a ray sees, by testing all objects in turn. Any thread may call.
      *
      * @param ray the ray, of unit direction
      * @param colour gets the colour, linear and not clamped; the background if nothing is hit
      * @param depth how many reflections and refractions may follow, 0 or more
-     * @param terms which parts are wanted
+     * @param terms the terms
      * @return whether an object is hit
      */
     public boolean intersect(Ray ray, Colour colour, int depth, Terms terms) {
         return new WhittedIntegrator(this, new BruteForceIntersector(this), terms, new RayStats(), null).trace(ray, colour, depth);
     }
 
-    /** Throws unless all objects and lights are set: a picture without them would be a wrong one. */
+    /** Throws unless all objects and lights are set: a picture without them would be wrong. */
     void requireComplete() {
         all(objects, numberObjects);
         all(lights, numberLights);
@@ -171,8 +171,8 @@ public final class Scene {
     }
 
     /**
-     * Reads a scene to the end of the file. It takes the place of what was here only if all of it is right. Objects whose materials are
-     * equal refer to one {@link Material}.
+     * Reads a scene to the end of the file. This scene changes only if the whole file is right. Objects with equal materials
+     * refer to one {@link Material}.
      *
      * @param is where from
      * @throws IOException if it cannot be read; {@link simpleray.text.SceneFormatException} with up to 20 errors if it is no scene
@@ -214,7 +214,7 @@ public final class Scene {
     }
 
     /**
-     * Writes the scene, so that {@link #read} gets an equal one, bit for bit.
+     * Writes the scene; {@link #read} reads an equal one, bit for bit.
      *
      * @param os where to
      * @throws IOException if it cannot be written
@@ -243,7 +243,7 @@ public final class Scene {
         return n;
     }
 
-    /** {@return the list} A picture without the things that were announced and not set would be a wrong one. */
+    /** {@return the list, after checking that all things that were announced are set} */
     private static <T> List<T> all(List<T> list, int n) {
         if (list.size() != n) {
             throw new IllegalStateException("of " + n + " places in the scene only " + list.size() + " are set");

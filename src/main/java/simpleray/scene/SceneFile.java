@@ -16,11 +16,11 @@ import simpleray.text.SceneFormatException;
 import simpleray.text.SceneReader;
 
 /**
- * A scene as it was read from a file, with what was odd about the file. <em>Constant.</em>
+ * A scene read from a file, with the warnings about the file. <em>Constant.</em>
  *
  * @param scene the scene
  * @param warnings the warnings, in the order of the file
- * @param text what it was read from; null if it was not read
+ * @param text its text; null if it was not read
  */
 public record SceneFile(Scene scene, List<Problem> warnings, SourceText text) {
     private static final String STREAM = "<stdin>";
@@ -72,7 +72,7 @@ public record SceneFile(Scene scene, List<Problem> warnings, SourceText text) {
         }
     }
 
-    /** {@return how much of a file to keep: nothing at all of one that is known to be too long} */
+    /** {@return the number of bytes of a file to keep: none if it is known to be too long} */
     private static int longestKept(Path path) {
         return path.toFile().length() > PngText.LONGEST ? 0 : PngText.LONGEST;
     }
@@ -105,10 +105,10 @@ public record SceneFile(Scene scene, List<Problem> warnings, SourceText text) {
     }
 
     /**
-     * Reads a scene whose text is not, or not yet, what stands in its file.
+     * Reads a scene from a text that is not, or not yet, in its file.
      *
      * @param in the text, read to its end and left open
-     * @param path the file, whose name stands in messages and beside which others are found
+     * @param path the file, for messages and for the files beside it
      * @param reach which OBJ files it may name
      * @return the scene
      * @throws SceneFormatException if it is no scene
@@ -121,7 +121,7 @@ public record SceneFile(Scene scene, List<Problem> warnings, SourceText text) {
     /**
      * Finds where an object is in the file.
      *
-     * @param i its place in the scene, from 0
+     * @param i its index in the scene
      * @return its line, from 1; 0 if it is not known
      */
     public int lineOfObject(int i) {
@@ -129,9 +129,9 @@ public record SceneFile(Scene scene, List<Problem> warnings, SourceText text) {
     }
 
     /**
-     * Finds where a light is in the file.
+     * Returns the line of a light in the file.
      *
-     * @param i its place in the scene, from 0
+     * @param i its index in the scene
      * @return its line, from 1; 0 if it is not known
      */
     public int lineOfLight(int i) {
@@ -173,12 +173,12 @@ public record SceneFile(Scene scene, List<Problem> warnings, SourceText text) {
             new SourceText(carried.name(), carried.sha256(), carried.bytes(), List.copyOf(meshes.read)));
     }
 
-    /** What can read the scene again; null if nothing can. */
+    /** Opens the scene again; null if that is impossible. */
     private interface Again {
         Recount get() throws IOException;
     }
 
-    /** Reads a scene. If its counts do not fit, and it can be read again, the error tells the right ones. */
+    /** Reads a scene. If its counts are wrong and it can be read again, the error has the right ones. */
     private static Scene read(SceneReader reader, Again again) throws IOException {
         CountOverrides counts = new CountOverrides();
         Scene scene = new Scene();

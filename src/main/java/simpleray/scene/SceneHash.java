@@ -14,8 +14,8 @@ import java.util.Set;
 import simpleray.text.SceneWriter;
 
 /**
- * The SHA-256 of what a scene's picture is made of: objects with all triangles of their meshes, lights and ambient light, as they are in
- * memory. So it is that of the scene that is rendered, even if its files were changed since; comments and settings do not count.
+ * The SHA-256 of a scene in memory: its objects with all triangles of their meshes, its lights and its ambient light. So it is right
+ * even if the scene's files have changed; comments and settings do not count.
  */
 public final class SceneHash {
     private static final int BUFFER = 1 << 13;
@@ -24,9 +24,9 @@ public final class SceneHash {
     }
 
     /**
-     * Finds the hash.
+     * Computes the hash.
      *
-     * @param scene the scene, which does not change meanwhile
+     * @param scene the scene, which must not change meanwhile
      * @return 64 hexadecimal digits
      */
     public static String of(Scene scene) {

@@ -15,7 +15,7 @@ import simpleray.text.SceneWriter;
 import simpleray.text.Span;
 
 /**
- * What a scene file, or who renders it, asks of camera and renderer; null is not asked for. <em>Mutable.</em>
+ * The settings of camera and renderer, from a scene file or its user; null if not set. <em>Mutable.</em>
  */
 public final class SceneSettings {
     /** The longest side of a picture in pixels. */
@@ -27,7 +27,7 @@ public final class SceneSettings {
 
     private static final Set<String> KEYWORDS = Set.of("background", "window", "cop", "camera", "resolution", "depth", "samples");
 
-    /** What a ray that hits nothing sees. */
+    /** The colour of a ray that hits nothing. */
     public Colour background;
     /** The viewport window of {@link SimpleCamera}. */
     public Window window;
@@ -42,12 +42,12 @@ public final class SceneSettings {
     /** Samples along each side of a pixel, 1 to {@link #MAX_SAMPLES}. */
     public Integer samples;
 
-    /** Where in the file that was read each keyword stands with its values. */
+    /** The place of each keyword with its values in the file. */
     final Map<String, Span> places = new TreeMap<>();
-    /** Where in that file the last value stands, of a setting or before; null if no file was read. */
+    /** The place of the last value in the file, of a setting or before; null if no file was read. */
     Span last;
 
-    /** Creates settings that ask for nothing. */
+    /** Creates settings with nothing set. */
     public SceneSettings() {
     }
 
@@ -72,7 +72,7 @@ public final class SceneSettings {
     }
 
     /**
-     * Puts other settings above these: what they ask for wins. A camera and a centre of projection or window exclude each other.
+     * Overrides these settings by others. A camera and a centre of projection or window exclude each other.
      *
      * @param other the settings that win
      * @return new settings
@@ -91,10 +91,10 @@ public final class SceneSettings {
     }
 
     /**
-     * Makes the camera that is asked for.
+     * Creates the camera of these settings.
      *
      * @return a new camera
-     * @throws IllegalArgumentException if something about it is out of its range
+     * @throws IllegalArgumentException if one of its values is out of range
      */
     public Camera newCamera() {
         int width = resolution == null ? SimpleCamera.DEFAULT_RESOLUTION : resolution.width;
@@ -119,12 +119,12 @@ public final class SceneSettings {
     }
 
     /**
-     * Reads settings that stand alone, as {@link #lines} gives them.
+     * Reads settings without a scene, in the form of {@link #lines}.
      *
-     * @param lines a keyword and its values in each
-     * @param name what messages call them
+     * @param lines lines of a keyword and its values
+     * @param name their name for messages
      * @return the settings
-     * @throws IOException if there is anything else in the lines
+     * @throws IOException if the lines contain anything else
      */
     public static SceneSettings of(String lines, String name) throws IOException {
         SceneReader is = new SceneReader(new ByteArrayInputStream(lines.getBytes(StandardCharsets.UTF_8)), name,
@@ -135,7 +135,7 @@ public final class SceneSettings {
         return settings;
     }
 
-    /** {@return what is asked for, a line each} */
+    /** {@return the settings, a line each} */
     public String lines() {
         try (ByteArrayOutputStream bytes = new ByteArrayOutputStream()) {
             SceneWriter os = new SceneWriter(bytes);
@@ -143,11 +143,11 @@ public final class SceneSettings {
             os.flush();
             return bytes.toString(StandardCharsets.UTF_8);
         } catch (IOException e) {
-            throw new UncheckedIOException(e);                // none in memory
+            throw new UncheckedIOException(e);                // does not happen in memory
         }
     }
 
-    /** Reads keywords and their values as long as they come. */
+    /** Reads keywords and their values up to the first other word. */
     void read(SceneReader is) throws IOException {
         Set<String> seen = places.keySet();
         last = Span.last(is);
@@ -217,7 +217,7 @@ public final class SceneSettings {
         return pose;
     }
 
-    /** Writes what is asked for, a line each, so that {@link #read} gets the same. */
+    /** Writes the settings, a line each, in the form that {@link #read} reads. */
     void write(SceneWriter os) throws IOException {
         if (background != null) {
             line(os, "background", background.r, background.g, background.b);

@@ -4,11 +4,11 @@ import simpleray.math.Point;
 import simpleray.math.Ray;
 
 /**
- * The viewer: the centre of projection lies on the z axis, and a viewport window on the XY plane (thesis, chapter 5).
- * <em>Mutable</em> while it is set up, by one thread; then any thread may ask for rays.
+ * The viewer: a centre of projection on the z axis and a viewport window on the XY plane (thesis, chapter 5).
+ * <em>Mutable</em> while one thread sets it up; then any thread may ask for rays.
  *
  * <p>The defaults are a resolution of 200 × 200, the centre of projection at z = 2 and the window [-2,2] × [-2,2]. Setters may be
- * called in any order. While no window was set, the default one grows about its centre along the longer side of the picture, so
+ * called in any order. Unless a window was set, the default one grows about its centre along the longer side of the picture, so
  * that pixels are square.
  */
 public final class SimpleCamera implements Camera {
@@ -44,7 +44,7 @@ public final class SimpleCamera implements Camera {
     }
 
     /**
-     * Sets a resolution, and all else to the defaults.
+     * Sets a resolution, and everything else to the defaults.
      *
      * @param a the width in pixels, 1 or more
      * @param b the height in pixels, 1 or more
@@ -90,7 +90,7 @@ public final class SimpleCamera implements Camera {
     }
 
     /**
-     * Sets the viewport window on the XY plane. It is stretched over the picture as it is.
+     * Sets the viewport window on the XY plane. It is stretched over the picture.
      *
      * @param xmin the left edge
      * @param xmax the right edge, above xmin
@@ -111,7 +111,7 @@ public final class SimpleCamera implements Camera {
     }
 
     /**
-     * Finds the ray through the centre of a pixel.
+     * Returns the ray through the centre of a pixel.
      *
      * @param x the column, 0 at the left
      * @param y the row, 0 at the top

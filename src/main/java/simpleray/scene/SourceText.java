@@ -3,11 +3,11 @@ package simpleray.scene;
 import java.util.List;
 
 /**
- * The text that a scene was read from. <em>Constant.</em>
+ * The text from which a scene was read. <em>Constant.</em>
  *
  * @param name the file's name, without its folder
  * @param sha256 the text's SHA-256, 64 hexadecimal digits
- * @param bytes the text, not to be changed; null if it is too long to be kept
+ * @param bytes the text, not to be changed; null if it is too long
  * @param meshes the files that it names
  */
 public record SourceText(String name, String sha256, byte[] bytes, List<MeshFile> meshes) {

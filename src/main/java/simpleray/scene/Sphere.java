@@ -10,7 +10,7 @@ import simpleray.text.SceneWriter;
 
 /** A sphere, (P - C)·(P - C) = R² (thesis, chapters 3 and 5). */
 public final class Sphere extends Object {
-    /** More than the share of a squared distance that its roundings can be. */
+    /** An upper bound of the rounding error of a squared distance, as a share of it. */
     private static final double ROUNDING = 0x1p-46;
 
     /** The centre. */
@@ -50,10 +50,9 @@ public final class Sphere extends Object {
     }
 
     /**
-     * Finds the nearest hit of a ray on a sphere about the origin, as {@link #intersect} says. All numbers that it takes are its
-     * arguments, for those who keep spheres in arrays.
+     * Returns the nearest hit of a ray on a sphere, like {@link #intersect}, with all numbers as arguments for spheres kept in arrays.
      *
-     * @param fx x of the ray's origin, seen from the centre
+     * @param fx x of the ray's origin, relative to the centre
      * @param fy y of it
      * @param fz z of it
      * @param dx x of the ray's direction
@@ -67,11 +66,11 @@ public final class Sphere extends Object {
         double towards = -(fx * dx + fy * dy + fz * dz);      // -b/2
         double ff = fx * fx + fy * fy + fz * fz;
         double e = ff - radius * radius;
-        // Most rays miss, and most of those clearly: away from the sphere, or so far beside it that no rounding below makes it a hit.
+        // Most rays miss clearly: away from the sphere, or so far beside it that no rounding error below makes it a hit.
         if (towards < 0 && e >= 0 || towards * towards < a * (e - ROUNDING * ff)) {
             return MISS;
         }
-        double closest = towards / a;                         // t where the ray comes closest to the centre
+        double closest = towards / a;                         // t of the point closest to the centre
         double lx = fx + closest * dx;
         double ly = fy + closest * dy;
         double lz = fz + closest * dz;
@@ -82,7 +81,7 @@ public final class Sphere extends Object {
         double q = towards + Math.copySign(Math.sqrt(a * square), towards);
         double one = e / q;
         double other = q / a;
-        double near = other < one ? other : one;              // not a number if one is: no hit
+        double near = other < one ? other : one;              // NaN if one is NaN: no hit
         if (near > THRESHOLD) {
             return near;
         }

@@ -1,7 +1,7 @@
 package simpleray.scene;
 
 /**
- * Which parts of the colour are wanted (thesis, chapter 4 and its figure 10). <em>Constant.</em>
+ * The terms of the colour that a picture shows (thesis, chapter 4 and its figure 10). <em>Constant.</em>
  *
  * @param ambient Ka·GA
  * @param diffuse Kd·LC·(N·L), of each light
@@ -10,10 +10,10 @@ package simpleray.scene;
  * @param reflections whether mirror rays and refracted rays are followed
  */
 public record Terms(boolean ambient, boolean diffuse, boolean specular, boolean shadows, boolean reflections) {
-    /** The finished picture. */
+    /** All terms: the finished picture. */
     public static final Terms ALL = new Terms(true, true, true, true, true);
 
-    /** {@return whether any of the lights' terms is wanted} */
+    /** {@return whether a term depends on lights} */
     boolean lights() {
         return diffuse || specular;
     }

@@ -8,9 +8,9 @@ import simpleray.math.Vector;
 import simpleray.text.SceneReader;
 import simpleray.text.SceneWriter;
 
-/** A triangle. Both sides can be seen; outward is the side from which its vertices run counter-clockwise. */
+/** A triangle. Both sides are visible; the outside is that from which its vertices run counter-clockwise. */
 public final class Triangle extends Object {
-    /** How much of a sum of products may be the rounding of its factors: four half units in the last place. */
+    /** The rounding error of a sum of products, as a share of it: four half units in the last place. */
     private static final double ROUNDING = 0x1p-51;
 
     /** The first vertex. */
@@ -62,8 +62,8 @@ public final class Triangle extends Object {
     }
 
     /**
-     * Finds the hit of a ray from the origin that goes fastest along the third axis. Each vertex is sheared and scaled so that the ray runs
-     * along that axis, 1 at a time; what it becomes depends on it and the ray alone, and so is the same for each triangle there.
+     * Returns the hit of a ray from the origin whose largest component is along the third axis. Each vertex is sheared and scaled so that the
+     * ray becomes the unit vector of that axis; the result depends only on the vertex and the ray, and so is the same for each triangle there.
      */
     private static double hit(double ax, double ay, double az, double bx, double by, double bz, double cx, double cy, double cz,
             double dx, double dy, double dz) {
@@ -86,14 +86,14 @@ public final class Triangle extends Object {
     }
 
     /**
-     * Finds on which side of an edge the ray passes.
+     * Computes on which side of an edge the ray passes.
      *
-     * @return twice the area that edge and ray span; its sign is exact, and the opposite for (q, p), on which all depends
+     * @return twice the area that edge and ray span; its sign is exact, and opposite for (q, p), as watertightness requires
      */
     static double edge(double px, double py, double qx, double qy) {
         double one = px * qy;
         double other = py * qx;
-        if (one != other) {                                   // rounding never swaps the two, at most it makes them equal
+        if (one != other) {                                   // rounding never swaps the two; at most it makes them equal
             return one - other;
         }
         return Math.fma(px, qy, -one) - Math.fma(py, qx, -other);
@@ -119,7 +119,7 @@ public final class Triangle extends Object {
         out.normalise();
     }
 
-    /** {@return a power of two by which the vertices are scaled so that products of small or large ones are no 0 or infinity} */
+    /** {@return a power of two to scale the vertices by, so that their products neither underflow nor overflow} */
     private double scale() {
         double largest = Math.max(largest(a), Math.max(largest(b), largest(c)));
         return Math.scalb(1.0, -Math.getExponent(largest));
@@ -133,7 +133,7 @@ public final class Triangle extends Object {
         return new Point(p.x * scale, p.y * scale, p.z * scale);
     }
 
-    /** {@return whether the vertices are on one line, or would be but for the rounding of their decimals} */
+    /** {@return whether the vertices are on one line, up to the rounding of their decimals} */
     private boolean isFlat() {
         double scale = scale();
         Point[] v = {scaled(a, scale), scaled(b, scale), scaled(c, scale)};
@@ -142,7 +142,7 @@ public final class Triangle extends Object {
             && isFlat(v[0].z, v[0].x, v[1].z, v[1].x, v[2].z, v[2].x);
     }
 
-    /** {@return whether rounding may be all there is to the area of a triangle in a plane} */
+    /** {@return whether the area of a triangle in a plane is within rounding error} */
     private static boolean isFlat(double ax, double ay, double bx, double by, double cx, double cy) {
         double ux = bx - ax;
         double uy = by - ay;

@@ -4,22 +4,22 @@ import simpleray.accel.BvhTraversal;
 import simpleray.accel.PrimitiveIntersector;
 
 /**
- * A ray that looks for the nearest of many triangles. <em>Mutable</em>: one thread's own, used again for the next ray.
+ * Finds the nearest of many triangles along a ray. <em>Mutable</em>: one thread's own, reused for the next ray.
  *
- * <p>Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013: space is sheared so that the ray goes along an axis,
- * and what is left is where the origin lies among the triangle's edges in the plane. For triangles with a common edge the same numbers are
- * compared, and rounding never turns the sign of a difference of products (at most it makes it 0, and then it is found exactly; what still is
- * 0 counts as inside): no ray goes through between them, and none hits a triangle that is nowhere near.
+ * <p>Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013: space is sheared so that the ray runs along an axis,
+ * and the test becomes whether the origin is inside the triangle's edges in the plane. Triangles with a common edge compare the same
+ * numbers, and rounding never flips the sign of a difference of products. At most it makes the difference 0; then it is computed exactly, and
+ * an exact 0 counts as inside. So no ray passes between two triangles, and none hits a triangle far from it.
  */
 final class TriangleIntersector implements PrimitiveIntersector {
     /** No triangle. */
     static final int NONE = Integer.MAX_VALUE;
 
-    /** For whose triangles it is ready; null if a new ray has begun. */
+    /** The mesh for which it is prepared; null for a new ray. */
     Mesh mesh;
-    /** t of the nearest hit so far; where the search began if there is none. */
+    /** t of the nearest hit so far; the limit of the search if there is none. */
     double t;
-    /** The triangle that is hit there; {@link #NONE} if none is. Of two at the same t it is the one with the lower number. */
+    /** The triangle of that hit; {@link #NONE} if there is none. Of two at the same t, it is the one with the lower number. */
     int triangle;
     /** The weights of its three corners at the hit; their sum is not 1. */
     double weightA;
@@ -40,7 +40,7 @@ final class TriangleIntersector implements PrimitiveIntersector {
     private double dx;
     private double dy;
     private double dz;
-    // the axis along which the ray goes fastest, and the two others
+    // the axis of the ray's largest component, and the two others
     private int kx;
     private int ky;
     private int kz;
@@ -50,12 +50,12 @@ final class TriangleIntersector implements PrimitiveIntersector {
     private double shearX;
     private double shearY;
     private double dkz;
-    // what the latest test found
+    // the result of the latest test
     private double a;
     private double b;
     private double c;
 
-    /** Begins anew with a ray; its direction is not zero. */
+    /** Prepares a ray, whose direction is not zero. */
     void start(TriangleMesh triangles, double originX, double originY, double originZ, double directionX, double directionY,
             double directionZ) {
         all = triangles;
@@ -84,7 +84,7 @@ final class TriangleIntersector implements PrimitiveIntersector {
         return axis == 0 ? x : axis == 1 ? y : z;
     }
 
-    /** Looks for the nearest triangle. {@return whether there is one not farther than a limit} */
+    /** Finds the nearest triangle. {@return whether there is one within a limit} */
     boolean closest(double limit) {
         TriangleMesh.Tree tree = all.tree();
         corners = tree.corners();
@@ -141,7 +141,7 @@ final class TriangleIntersector implements PrimitiveIntersector {
         return found;
     }
 
-    /** {@return t of the ray's hit on the triangle whose corners' coordinates begin at these places, or a miss} */
+    /** {@return t of the ray's hit on the triangle whose corners' coordinates start at these indices, or a miss} */
     private double test(int p, int q, int r) {
         double[] v = vertices;
         double az = v[p + kz] - okz;
@@ -156,7 +156,7 @@ final class TriangleIntersector implements PrimitiveIntersector {
         double wa = cx * by - cy * bx;
         double wb = ax * cy - ay * cx;
         double wc = bx * ay - by * ax;
-        if (wa == 0 || wb == 0 || wc == 0) {                  // perhaps by rounding alone: seen edge-on, it may be far from the ray
+        if (wa == 0 || wb == 0 || wc == 0) {                  // perhaps only by rounding: edge-on, it may be far from the ray
             wa = Triangle.edge(cx, cy, bx, by);
             wb = Triangle.edge(ax, ay, cx, cy);
             wc = Triangle.edge(bx, by, ax, ay);

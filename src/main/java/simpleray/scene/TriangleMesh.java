@@ -5,12 +5,12 @@ import simpleray.accel.Pool;
 import simpleray.accel.PrimitiveBounds;
 
 /**
- * Triangles and a tree of boxes around them, which meshes of one file share. <em>Constant</em>; the tree is built when it is first needed. Any
- * thread may ask.
+ * Triangles and their bounding volume hierarchy, shared by meshes of one file. <em>Constant</em>; the tree is built when it is first
+ * needed. Any thread may call.
  */
 final class TriangleMesh {
     final Triangles triangles;
-    /** The box around all: xmin, ymin, zmin, xmax, ymax, zmax; of no triangle all 0. */
+    /** The box around all: xmin, ymin, zmin, xmax, ymax, zmax; all 0 without triangles. */
     final double[] box;
     private volatile Tree tree;
 
@@ -20,11 +20,11 @@ final class TriangleMesh {
     }
 
     /**
-     * The tree of boxes.
+     * The bounding volume hierarchy.
      *
-     * @param bvh the boxes; null if there is no triangle
+     * @param bvh the tree; null without triangles
      * @param order the triangles in the order of the leaves
-     * @param corners in that order, too, the places of their corners among the coordinates: three times the vertices' numbers
+     * @param corners the indices of their corners' coordinates in the same order: three times the vertices' numbers
      */
     record Tree(Bvh bvh, int[] order, int[] corners) {
     }
@@ -34,7 +34,7 @@ final class TriangleMesh {
         return known == null ? tree(1) : known;
     }
 
-    /** {@return the tree} If it is to be built, so many threads may do it. */
+    /** {@return the tree, which the given number of threads builds if it is missing} */
     synchronized Tree tree(int threads) {
         if (tree == null) {
             try (Pool pool = new Pool(threads)) {

@@ -10,23 +10,23 @@ import simpleray.math.Vector;
  *
  * @param vertices x, y, z of each vertex
  * @param corners three vertices of each triangle, counted from 0, anticlockwise as seen from outside
- * @param normals x, y, z of each vertex normal, of unit length; zero where one points nowhere
+ * @param normals x, y, z of each vertex normal, of unit length; zero for a normal of no length
  * @param cornerNormals three normals of each triangle, counted from 0, each -1 if it has none; null if no triangle has any
  */
 record Triangles(double[] vertices, int[] corners, double[] normals, int[] cornerNormals) {
-    /** A normal whose square is this or less is nothing but roundings. */
+    /** A normal with this squared length or less is only rounding error. */
     private static final double NO_LENGTH = 1e-24;
 
     /** No triangle. */
     static final Triangles NONE = new Triangles(new double[0], new int[0], new double[0], null);
 
-    /** {@return how many there are} */
+    /** {@return the number of triangles} */
     int count() {
         return corners.length / 3;
     }
 
     /**
-     * Finds the box of a triangle.
+     * Computes the box of a triangle.
      *
      * @param triangle the triangle
      * @param box gets xmin, ymin, zmin, xmax, ymax, zmax
@@ -59,7 +59,7 @@ record Triangles(double[] vertices, int[] corners, double[] normals, int[] corne
         return all;
     }
 
-    /** {@return whether each edge of a triangle is another's in the other direction, so that they have an inside} */
+    /** {@return whether each edge of a triangle is another's in the opposite direction, so that they enclose an inside} */
     boolean isClosed() {
         Set<Long> edges = new HashSet<>();
         for (int i = 0; i < corners.length; i++) {
@@ -68,12 +68,12 @@ record Triangles(double[] vertices, int[] corners, double[] normals, int[] corne
         return edges.stream().allMatch(edge -> edges.contains(edge << Integer.SIZE | edge >>> Integer.SIZE));
     }
 
-    /** Finds the vector (B - A) × (C - A) of a triangle, outward, twice its area long, into out; returns whether it is not zero. */
+    /** Computes the vector (B - A) × (C - A) of a triangle, outward, with a length of twice its area. {@return whether it is not zero} */
     boolean cross(int triangle, double[] out) {
         return cross(vertices, 3 * corners[3 * triangle], 3 * corners[3 * triangle + 1], 3 * corners[3 * triangle + 2], out);
     }
 
-    /** Finds (B - A) × (C - A) of the points that begin at these places of the array, into out; returns whether it is not zero. */
+    /** Computes (B - A) × (C - A) of the points at these indices of the array. {@return whether it is not zero} */
     static boolean cross(double[] v, int a, int b, int c, double[] out) {
         double ex = v[b] - v[a];
         double ey = v[b + 1] - v[a + 1];
@@ -88,7 +88,7 @@ record Triangles(double[] vertices, int[] corners, double[] normals, int[] corne
     }
 
     /**
-     * Finds the normal that is interpolated from those of the corners.
+     * Interpolates the normals of the corners.
      *
      * @param triangle the triangle
      * @param weights the weights of its corners, of any sum but 0
@@ -111,11 +111,11 @@ record Triangles(double[] vertices, int[] corners, double[] normals, int[] corne
     }
 
     /**
-     * Finds the square of the distance of a triangle to a point (Ericson, "Real-Time Collision Detection", 2005, chapter 5.1.5).
+     * Returns the squared distance of a triangle from a point (Ericson, "Real-Time Collision Detection", 2005, chapter 5.1.5).
      *
      * @param triangle the triangle
      * @param p the point, x, y, z
-     * @return the square of the distance
+     * @return the squared distance
      */
     double squaredDistance(int triangle, double[] p) {
         int a = 3 * corners[3 * triangle];
@@ -124,7 +124,7 @@ record Triangles(double[] vertices, int[] corners, double[] normals, int[] corne
         double[] n = new double[3];
         cross(triangle, n);
         Vector normal = new Vector(n[0], n[1], n[2]).normalised();
-        boolean above = true;                                 // the point's foot on the plane lies in the triangle
+        boolean above = true;                                 // whether the point's projection is in the triangle
         double nearest = Double.POSITIVE_INFINITY;
         int[] ring = {a, b, c, a};
         for (int i = 0; i < 3; i++) {

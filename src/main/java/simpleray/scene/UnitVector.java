@@ -2,9 +2,9 @@ package simpleray.scene;
 
 import simpleray.math.Vector;
 
-/** Remembers the unit vector of a vector that hardly ever changes, which costs a root and three quotients. Any thread may call. */
+/** Caches the unit vector of a vector that rarely changes, to save a root and three divisions. Any thread may call. */
 final class UnitVector {
-    private Known known;                                      // constant: a race between threads has it found twice, and alike
+    private Known known;                                      // constant: in a race, threads compute equal values
 
     private record Known(double x, double y, double z, double unitX, double unitY, double unitZ) {
         static Known of(Vector v) {
@@ -14,10 +14,10 @@ final class UnitVector {
     }
 
     /**
-     * Finds the unit vector.
+     * Returns the unit vector in an argument.
      *
      * @param of the vector
-     * @param unit gets it, as {@link Vector#normalise()} makes it
+     * @param unit gets the unit vector, as by {@link Vector#normalise()}
      */
     void of(Vector of, Vector unit) {
         Known k = known;

@@ -15,8 +15,8 @@ import simpleray.text.SceneWriter;
 import simpleray.text.Span;
 
 /**
- * The lines of a scene file that say where the camera is: {@code camera}, or {@code window} and {@code cop}. They are changed in a
- * file's bytes, of which all others stay as they are. <em>Mutable</em>, for one thread.
+ * Edits the lines of a scene file that describe the camera: {@code camera}, or {@code window} and {@code cop}. All other bytes of the
+ * file stay as they are. <em>Mutable</em>, for one thread.
  */
 public final class ViewLines {
     private static final List<String> KEYWORDS = List.of("camera", "window", "cop");
@@ -24,7 +24,7 @@ public final class ViewLines {
     private final byte[] bytes;
     private final List<Edit> edits = new ArrayList<>();
 
-    /** Text in place of a piece of the file. */
+    /** A replacement of a piece of the file. */
     private record Edit(int start, int end, String text) {
     }
 
@@ -33,10 +33,10 @@ public final class ViewLines {
     }
 
     /**
-     * Writes what settings say of the camera as it stands in a scene file.
+     * Returns the camera of settings in the form of a scene file.
      *
      * @param view the settings
-     * @return a line or two, each ended by LF; empty if they say nothing of it
+     * @return one or two lines, each ended by LF; empty if they have no camera
      */
     public static String of(SceneSettings view) {
         SceneSettings camera = new SceneSettings();
@@ -47,20 +47,20 @@ public final class ViewLines {
         try (SceneWriter writer = new SceneWriter(text)) {
             camera.write(writer);
         } catch (IOException e) {
-            throw new UncheckedIOException(e);                // memory can always be written to
+            throw new UncheckedIOException(e);                // writing to memory does not fail
         }
         return text.toString(StandardCharsets.UTF_8);
     }
 
     /**
-     * Puts a camera into a scene file. A number that is right stays as it is written; a line takes the place of one that it excludes, or
-     * comes directly behind the scene's last value.
+     * Writes a camera into a scene file. Equal numbers stay as they are written; a new line replaces one that it excludes, or
+     * follows the scene's last value.
      *
      * @param bytes the file's bytes
-     * @param path the file, in whose folder lies what the scene names; its name stands in messages
-     * @param view settings that say where the camera is
-     * @param reach which OBJ files it may name
-     * @return the bytes of the changed file; reading it gives the very same camera
+     * @param path the file, for messages and for the OBJ files beside it
+     * @param view settings with the camera
+     * @param reach the OBJ files that the scene may name
+     * @return the bytes of the changed file, which has exactly this camera
      * @throws simpleray.text.SceneFormatException if the file is no scene
      * @throws IOException if a file that the scene names cannot be read
      */
@@ -99,7 +99,7 @@ public final class ViewLines {
         return new Span(place.start() + keyword.length(), place.end()).words(bytes);
     }
 
-    /** Writes numbers in place of those that stand there, but for those that are equal. */
+    /** Replaces numbers, except equal ones. */
     private void renumber(List<Span> words, String[] line) {
         for (int i = 0; i < words.size(); i++) {
             Span word = words.get(i);
@@ -110,7 +110,7 @@ public final class ViewLines {
         }
     }
 
-    /** Writes a line in place of a keyword, and takes away its values; without a line, also lines of the file of which nothing is left. */
+    /** Replaces a keyword and its values by a line; without a line, also removes lines of the file that become empty. */
     private void replace(Span place, int keywordEnd, List<Span> words, String line) {
         List<Edit> taken = new ArrayList<>();
         taken.add(new Edit((int) place.start(), keywordEnd, line));
@@ -137,13 +137,13 @@ public final class ViewLines {
         }
     }
 
-    /** Adds lines behind the line in which the scene's last value ends. */
+    /** Adds lines after the line in which the scene's last value ends. */
     private void insert(int lastEnd, List<String> lines) {
         int end = lastEnd;
         while (end < bytes.length && !isBreak(end)) {
             end++;
         }
-        boolean open = end == bytes.length;                   // the last line of the file, and no line break ends it
+        boolean open = end == bytes.length;                   // the last line of the file, without a line break
         String added = String.join(lineBreak(), lines);
         if (!lines.isEmpty()) {
             edits.add(new Edit(behindBreak(end), behindBreak(end), open ? lineBreak() + added : added + lineBreak()));
@@ -184,7 +184,7 @@ public final class ViewLines {
         return bytes[index] == '\n' || bytes[index] == '\r';
     }
 
-    /** {@return the index behind the line break here; the same index at the end of the file} */
+    /** {@return the index after the line break here; the same index at the end of the file} */
     private int behindBreak(int index) {
         boolean two = index + 1 < bytes.length && bytes[index] == '\r' && bytes[index + 1] == '\n';
         return Math.min(bytes.length, index + (two ? 2 : 1));

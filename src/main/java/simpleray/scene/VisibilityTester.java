@@ -4,16 +4,16 @@ import simpleray.math.Colour;
 import simpleray.math.Ray;
 import simpleray.math.Vector;
 
-/** Decides whether light reaches a point, and how much of it: here alone. <em>Mutable</em>: one thread's own. */
+/** Decides how much of a light reaches a point; no other class does. <em>Mutable</em>: one thread's own. */
 public final class VisibilityTester {
     /** The unit vector towards the light, L. */
     public final Vector towards = new Vector();
-    /** How far the light is; infinite for a directional one. */
+    /** The distance of the light; infinite for a directional one. */
     public double distance;
-    /** The cosine N·L; of a light behind the surface 0 or less. */
+    /** The cosine N·L; 0 or less for a light behind the surface. */
     public double facing;
 
-    /** Whether what is between stops light. */
+    /** Whether objects between block light. */
     final boolean shadows;
 
     private final Intersector intersector;
@@ -23,9 +23,9 @@ public final class VisibilityTester {
     /**
      * Creates a tester.
      *
-     * @param intersector finds what is between
-     * @param shadows whether what is between stops light
-     * @param stats gets the number of shadow rays
+     * @param intersector finds the objects between
+     * @param shadows whether objects between block light
+     * @param stats counts the shadow rays
      */
     public VisibilityTester(Intersector intersector, boolean shadows, RayStats stats) {
         this.intersector = intersector;
@@ -34,13 +34,13 @@ public final class VisibilityTester {
     }
 
     /**
-     * Finds how much of a light reaches a surface.
+     * Computes how much of a light reaches a surface.
      *
      * @param light the light
-     * @param number its place in the scene, from 0
+     * @param number its index in the scene
      * @param at the surface
-     * @param arriving what the light gives off; gets what is left of it here, black if the surface is turned away
-     * @return whether anything is
+     * @param arriving the light's colour; gets the part that arrives, black if the surface is turned away
+     * @return whether it is not black
      */
     public boolean reaches(Light light, int number, Interaction at, Colour arriving) {
         distance = light.towards(at.point, towards);

@@ -7,7 +7,7 @@ import simpleray.math.Ray;
 import simpleray.math.Vector;
 
 /**
- * Finds the colours of rays: the local colour of what they hit, and what mirror rays and refracted rays see there in turn (thesis, chapter 4;
+ * Computes the colours of rays: the local colour of the surface they hit, and recursively those of mirror and refracted rays (thesis, chapter 4;
  * Whitted, "An improved illumination model for shaded display", 1980). This is the only place that shades. <em>Mutable</em>: one thread's own.
  */
 public final class WhittedIntegrator implements Integrator {
@@ -16,16 +16,16 @@ public final class WhittedIntegrator implements Integrator {
     private final Scene scene;
     private final Intersector intersector;
     private final Terms terms;
-    private final Recorder recorder;                          // null if nobody listens
+    private final Recorder recorder;                          // null for none
     private final RayStats stats;
     private final VisibilityTester visibility;
     private final Light[] lights;
     private final Hit hit = new Hit();
     private final Colour arriving = new Colour();
     private final Vector halfway = new Vector();
-    private Bounce[] bounces = {};                            // without a recorder no objects are made for a ray
+    private Bounce[] bounces = {};                            // reused, so that rays allocate nothing
 
-    /** What is known at one depth of the recursion. */
+    /** The working data of one depth of the recursion. */
     private static final class Bounce {
         final Interaction at = new Interaction();
         final Ray next = new Ray(at.point, new Vector());
@@ -39,9 +39,9 @@ public final class WhittedIntegrator implements Integrator {
      *
      * @param scene the scene, which must not change while rays are traced
      * @param intersector finds hits in this scene
-     * @param terms which parts of the colour are wanted
-     * @param stats gets the counts of rays
-     * @param recorder hears what is found; null if nobody does
+     * @param terms the terms of the colour to compute
+     * @param stats counts the rays
+     * @param recorder is told of each step; null for none
      */
     public WhittedIntegrator(Scene scene, Intersector intersector, Terms terms, RayStats stats, Recorder recorder) {
         scene.requireComplete();
@@ -64,8 +64,8 @@ public final class WhittedIntegrator implements Integrator {
     }
 
     /**
-     * Whitted's recursion. What a surface shows by itself, what its mirror shows times Ks, and what is seen through it times Kt; where no light
-     * gets through, the mirror has that share, too. One method, too long for HotSpot to put into itself: so it is compiled soon.
+     * Whitted's recursion: the local colour of a surface, plus the mirror ray's colour times Ks, plus the refracted ray's colour times Kt. At total
+     * internal reflection the mirror ray counts Ks + Kt. One method, too long for HotSpot to inline into itself, and so compiled early.
      */
     private boolean trace(Ray ray, Colour colour, int depth, int level) {
         stats.ray(level);
@@ -134,15 +134,15 @@ public final class WhittedIntegrator implements Integrator {
     }
 
     /**
-     * Finds the local colour, Ka·GA + Σ LC (Kd (N·L) + Ks (N·H)^shininess) over the lights that reach the surface (thesis, chapter 4). The
-     * three terms are summed apart, so that pictures of each add up to the picture of all to the last bit.
+     * Computes the local colour, Ka·GA + Σ LC (Kd (N·L) + Ks (N·H)^shininess) over the lights that reach the surface (thesis, chapter 4). The
+     * three terms are summed separately, so that pictures of single terms add up to the picture of all to the last bit.
      */
     private void setLocal(Colour colour, Ray ray, Interaction at) {
         Material material = at.object.surfaceMaterial;
         Colour kd = material.diffuse;
         Colour ks = material.specular;
         boolean shiny = terms.specular() && !ks.isBlack();
-        double diffuseR = 0;                                  // numbers in place of colours: HotSpot keeps them in registers
+        double diffuseR = 0;                                  // doubles in place of colours: HotSpot keeps them in registers
         double diffuseG = 0;
         double diffuseB = 0;
         double specularR = 0;

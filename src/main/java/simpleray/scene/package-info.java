@@ -1,6 +1,6 @@
 /**
- * What a scene is made of and how light falls on it (thesis, chapters 3 to 5): objects, materials, lights, the camera, and in
- * {@link simpleray.scene.Scene} the shading itself. A scene is built or read by one thread, and then frozen: while it is rendered
- * any number of threads look at it and none changes it.
+ * The scene and its lighting (thesis, chapters 3 to 5): objects, materials, lights, cameras, and in
+ * {@link simpleray.scene.WhittedIntegrator} the shading. One thread builds or reads a scene. While it is rendered, any number of
+ * threads read it and none changes it.
  */
 package simpleray.scene;
