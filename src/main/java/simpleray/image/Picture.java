@@ -1,5 +1,6 @@
 package simpleray.image;
 
+import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicReferenceArray;
 import simpleray.text.PngText;
@@ -126,6 +127,25 @@ public final class Picture {
         byte[] levels = new byte[linear.length];
         levels(linear, levels, 0);
         return levels;
+    }
+
+    /**
+     * Copies the picture into an image of AWT. Nothing else here loads a class of AWT.
+     *
+     * @return a new image of type {@link BufferedImage#TYPE_INT_RGB}, with the levels of a picture file
+     * @throws IllegalStateException if a row is not there
+     */
+    public BufferedImage toBufferedImage() {
+        BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
+        int[] rgb = new int[width];
+        for (int y = 0; y < height; y++) {
+            byte[] levels = levels(y);
+            for (int x = 0; x < width; x++) {
+                rgb[x] = (levels[3 * x] & LEVELS) << 16 | (levels[3 * x + 1] & LEVELS) << 8 | levels[3 * x + 2] & LEVELS;
+            }
+            image.setRGB(0, y, width, 1, rgb, 0, width);
+        }
+        return image;
     }
 
     /** Puts the levels of a row into an array, from a place on. */

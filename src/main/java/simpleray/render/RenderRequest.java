@@ -15,6 +15,11 @@ import simpleray.scene.SceneSettings;
  * @param region the only piece of the picture that is made; null for all of it
  */
 public record RenderRequest(SceneSettings settings, Stage stage, boolean adaptive, Accel accel, int threads, Region region) {
+    /** Leaves all to the scene: its final picture, rendered by a thread for each processor. */
+    public RenderRequest() {
+        this(new SceneSettings(), Stage.FINAL, false, Runtime.getRuntime().availableProcessors());
+    }
+
     /**
      * Leaves it to the program how the nearest object is found.
      *

@@ -5,6 +5,7 @@ import java.io.FileInputStream;
 import java.io.FileNotFoundException;
 import java.io.IOException;
 import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -116,6 +117,18 @@ public record SceneFile(Scene scene, List<Problem> warnings, SourceText text) {
      */
     public static SceneFile read(InputStream in, Path path, Reach reach) throws IOException {
         return read(in, path.toString(), path.resolveSibling(""), reach);
+    }
+
+    /**
+     * Reads a scene from a string, which messages call {@code scene}. It may name OBJ files in the working directory.
+     *
+     * @param text the text of a scene file
+     * @return the scene
+     * @throws SceneFormatException if it is no scene
+     * @throws IOException if an OBJ file cannot be read
+     */
+    public static SceneFile parse(String text) throws IOException {
+        return read(new ByteArrayInputStream(text.getBytes(StandardCharsets.UTF_8)), Path.of("scene"), Reach.FOLDER);
     }
 
     /**

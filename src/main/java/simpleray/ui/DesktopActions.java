@@ -125,7 +125,7 @@ final class DesktopActions {
         Picture picture = made.picture;
         copying = new Thread(() -> {                          // a large one takes longer than a window may stand still
             try {
-                CopiedPicture copied = CopiedPicture.of(picture);
+                CopiedPicture copied = new CopiedPicture(picture.toBufferedImage());
                 SwingUtilities.invokeLater(() -> copy(copied, "Copied the picture"));
             } catch (OutOfMemoryError e) {
                 SwingUtilities.invokeLater(() -> frame.say("The memory is too short to copy the picture"));

@@ -3,6 +3,7 @@ package simpleray.image;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.awt.image.BufferedImage;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -42,6 +43,20 @@ class PictureTest {
         assertThat(picture.row(1)).isSameAs(row);
         assertThat(picture.levels(1)).containsExactly(0, 128, 255, 0, 255, 0);
         assertThat(picture.levels(1)).isNotSameAs(picture.levels(1));
+    }
+
+    @Test
+    void anImageOfAwtHasTheLevels() {
+        Picture picture = new Picture(2, 2);
+        picture.setRow(0, new double[] {0, 0.5, 1, -1, 2, Double.NaN});
+        assertThatThrownBy(picture::toBufferedImage).isInstanceOf(IllegalStateException.class);
+        picture.setRow(1, new double[] {1, 1, 1, 0, 0, 1});
+
+        BufferedImage image = picture.toBufferedImage();
+
+        assertThat(image.getRGB(0, 0, 2, 2, null, 0, 2)).containsExactly(0xFF0080FF, 0xFF00FF00, 0xFFFFFFFF, 0xFF0000FF);
+        assertThat(image.getWidth()).isEqualTo(2);
+        assertThat(image.getHeight()).isEqualTo(2);
     }
 
     @Test

@@ -47,6 +47,16 @@ class SceneFileTest {
     }
 
     @Test
+    void aSceneMayBeAString() throws IOException {
+        SceneFile file = SceneFile.parse(LIT);
+
+        assertThat(file.scene().ambient).hasToString("(0.5,0.5,0.5)");
+        assertThat(file.warnings()).singleElement().extracting(Problem::file).isEqualTo("scene");
+        assertThatThrownBy(() -> SceneFile.parse("none")).isInstanceOf(SceneFormatException.class)
+            .hasMessageStartingWith("scene:1:5: error: expected the number of objects, found the end of the file");
+    }
+
+    @Test
     void aTextThatStandsForAFileIsCalledByItsNameAndFindsMeshesBesideIt() throws IOException {
         Path path = folder.resolve("unsaved.scene");
         Files.writeString(folder.resolve("a.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
