@@ -26,9 +26,10 @@ import simpleray.cli.Main;
 /** The rooms of docs/architecture.md, and what only one of them may do. */
 class RoomsTest {
     /** The floor of each room; rooms of one floor do not know each other. */
-    private static final Map<String, Integer> FLOORS = new TreeMap<>(Map.of("simpleray.text", 0, "simpleray.math", 1,
-        "simpleray.image", 2, "simpleray.accel", 2, "simpleray.scene", 3, "simpleray.trace", 4, "simpleray.pov", 4, "simpleray.render", 5, "simpleray.ui", 6,
-        "simpleray.cli", 7));
+    private static final Map<String, Integer> FLOORS = new TreeMap<>(Map.ofEntries(Map.entry("simpleray.io", 0), Map.entry("simpleray.text", 0),
+        Map.entry("simpleray.math", 1), Map.entry("simpleray.image", 2), Map.entry("simpleray.accel", 2), Map.entry("simpleray.scene", 3),
+        Map.entry("simpleray.trace", 4), Map.entry("simpleray.pov", 4), Map.entry("simpleray.render", 5), Map.entry("simpleray.ui", 6),
+        Map.entry("simpleray.cli", 7)));
     private static final String SCENE = "simpleray.scene";
     private static final String UI = "simpleray.ui";
     private static final String CLI = "simpleray.cli";

@@ -15,8 +15,8 @@ import picocli.CommandLine.ParentCommand;
 import simpleray.image.HeatMap;
 import simpleray.image.PictureDiff;
 import simpleray.image.PngRows;
+import simpleray.io.AtomicFile;
 import simpleray.text.PictureFormatException;
-import simpleray.text.WholeFile;
 
 /** Measures how two pictures differ. */
 @Command(mixinStandardHelpOptions = true, sortOptions = false,
@@ -83,7 +83,7 @@ final class CompareCommand implements Callable<Integer> {
     }
 
     private PictureDiff compareAndDraw(PngRows a, PngRows b) throws IOException, CommandException {
-        try (WholeFile file = TextOutput.begin(heatmap)) {
+        try (AtomicFile file = TextOutput.begin(heatmap)) {
             HeatMap map = new HeatMap(a.width(), a.height(), file.out());
             PictureDiff diff = compare(a, b, map);
             try {

@@ -16,6 +16,7 @@ import picocli.CommandLine.ParentCommand;
 import simpleray.image.Picture;
 import simpleray.image.PngWriter;
 import simpleray.image.Sheet;
+import simpleray.io.AtomicFile;
 import simpleray.render.Progress;
 import simpleray.render.Provenance;
 import simpleray.render.RenderRequest;
@@ -23,7 +24,6 @@ import simpleray.render.Stage;
 import simpleray.scene.Scene;
 import simpleray.scene.SceneFile;
 import simpleray.text.Numbers;
-import simpleray.text.WholeFile;
 
 /** Makes the thesis's figures of a scene, each a sheet of labelled pictures. */
 @Command(mixinStandardHelpOptions = true, sortOptions = false,
@@ -73,7 +73,7 @@ final class FiguresCommand implements Callable<Integer> {
         int rows = first.height() * figures.stream().mapToInt(Figure::rendered).sum();
         printer = work.printer(new Progress(rows, System.nanoTime()), main.err());
         TextOutput.makeFolder(folder);
-        List<WholeFile> files = new ArrayList<>();
+        List<AtomicFile> files = new ArrayList<>();
         try {
             for (Figure figure : figures) {
                 files.add(begin(output(figure)));
@@ -82,7 +82,7 @@ final class FiguresCommand implements Callable<Integer> {
                 make(figures.get(i), sheets.get(i), files.get(i));
             }
         } finally {
-            for (WholeFile begun : files) {
+            for (AtomicFile begun : files) {
                 close(begun);
             }
         }
@@ -146,14 +146,14 @@ final class FiguresCommand implements Callable<Integer> {
         return Path.of(folder).resolve((ending > 0 ? name.substring(0, ending) : name) + '-' + figure.name + ".png").toString();
     }
 
-    private WholeFile begin(String output) throws CommandException {
+    private AtomicFile begin(String output) throws CommandException {
         if (TextOutput.isSame(scene, output)) {
             throw CommandException.usage("the output " + output + " is the scene itself");
         }
         return TextOutput.begin(output);
     }
 
-    private void make(Figure figure, Sheet sheet, WholeFile target) throws CommandException {
+    private void make(Figure figure, Sheet sheet, AtomicFile target) throws CommandException {
         long start = System.nanoTime();
         Picture filled = sheet.with(figure.pictures.get());
         printer.end();
@@ -167,7 +167,7 @@ final class FiguresCommand implements Callable<Integer> {
         work.report(main.err(), output(figure), filled, Progress.seconds(start, System.nanoTime()));
     }
 
-    private static void close(WholeFile file) {
+    private static void close(AtomicFile file) {
         try {
             file.close();
         } catch (IOException e) {

@@ -17,10 +17,10 @@ import java.util.function.Supplier;
 import simpleray.image.Checkpoint;
 import simpleray.image.Picture;
 import simpleray.image.RowSink;
+import simpleray.io.FileInUseException;
 import simpleray.render.PictureIdentity;
 import simpleray.render.Progress;
 import simpleray.render.Renderer;
-import simpleray.text.FileInUseException;
 
 /**
  * Keeps the finished rows of a rendering in a {@link Checkpoint}, so that it can go on if it is ended. Until the time comes to begin

@@ -17,6 +17,7 @@ import picocli.CommandLine.Parameters;
 import picocli.CommandLine.ParentCommand;
 import simpleray.image.Picture;
 import simpleray.image.PngWriter;
+import simpleray.io.AtomicFile;
 import simpleray.render.PictureIdentity;
 import simpleray.render.Progress;
 import simpleray.render.Provenance;
@@ -26,7 +27,6 @@ import simpleray.render.RenderRequest;
 import simpleray.render.Renderer;
 import simpleray.scene.Scene;
 import simpleray.scene.SceneFile;
-import simpleray.text.WholeFile;
 
 /** Renders a scene into a PNG file, without a window. */
 @Command(mixinStandardHelpOptions = true, sortOptions = false,
@@ -162,7 +162,7 @@ final class RenderCommand implements PlainCommand {
         if (TextOutput.isSame(scene, output)) {
             throw CommandException.usage("the output " + output + " is the scene itself");
         }
-        try (WholeFile file = TextOutput.begin(output)) {
+        try (AtomicFile file = TextOutput.begin(output)) {
             checkpointer.begin(keep, RenderCheckpointer.LATE);
             render(renderer, file.out(), checkpointer);
             file.commit();

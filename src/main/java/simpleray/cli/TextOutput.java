@@ -6,9 +6,9 @@ import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import simpleray.text.FileInUseException;
+import simpleray.io.AtomicFile;
+import simpleray.io.FileInUseException;
 import simpleray.text.SceneWriter;
-import simpleray.text.WholeFile;
 
 /** Writes text to a file or to standard output. */
 final class TextOutput {
@@ -37,7 +37,7 @@ final class TextOutput {
             }
             return;
         }
-        try (WholeFile file = begin(name)) {
+        try (AtomicFile file = begin(name)) {
             SceneWriter writer = new SceneWriter(file.out());
             text.write(writer);
             writer.flush();
@@ -52,9 +52,9 @@ final class TextOutput {
      *
      * @throws CommandException if it cannot be created
      */
-    static WholeFile begin(String name) throws CommandException {
+    static AtomicFile begin(String name) throws CommandException {
         try {
-            return new WholeFile(Path.of(name));
+            return new AtomicFile(Path.of(name));
         } catch (IOException e) {
             throw notCreated(name, e);
         }

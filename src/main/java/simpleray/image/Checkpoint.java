@@ -13,12 +13,12 @@ import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.zip.CRC32;
-import simpleray.text.FileClaim;
-import simpleray.text.FileInUseException;
+import simpleray.io.FileInUseException;
+import simpleray.io.OutputLock;
 
 /**
  * A file that keeps the finished rows of a picture, so that a rendering that was ended can go on. <em>Mutable</em>; any thread may call.
- * One rendering has it at a time, which a {@link FileClaim} beside it sees to.
+ * One rendering has it at a time, which an {@link OutputLock} beside it sees to.
  *
  * <p>It begins with {@link #MAGIC}, the length of a text, that text, and the CRC-32 of all these. The text tells on what the picture
  * depends, a line {@code name: value} each. Behind it stand records of one size, in the order in which rows were finished: the row's
@@ -35,7 +35,7 @@ public final class Checkpoint implements Closeable {
     private static final int NONE = -1;
 
     private final Path path;
-    private final FileClaim claim;                            // nobody else reads or writes the file
+    private final OutputLock lock;                            // nobody else reads or writes the file
     private final FileChannel file;
     private final int height;
     private final int rowBytes;
@@ -46,9 +46,9 @@ public final class Checkpoint implements Closeable {
     private int written;                                      // records
     private int count;                                        // rows
 
-    private Checkpoint(Path path, FileClaim claim, FileChannel file, int width, int height, int begin) {
+    private Checkpoint(Path path, OutputLock lock, FileChannel file, int width, int height, int begin) {
         this.path = path;
-        this.claim = claim;
+        this.lock = lock;
         this.file = file;
         this.height = height;
         this.begin = begin;
@@ -73,12 +73,12 @@ public final class Checkpoint implements Closeable {
      */
     public static Checkpoint create(Path path, Map<String, String> identity, int width, int height) throws IOException {
         byte[] head = head(identity);
-        return claimed(path, claim -> {
+        return locked(path, lock -> {
             if (Files.exists(path)) {                         // since somebody looked
                 throw new FileInUseException(path.toString());
             }
             FileChannel file = FileChannel.open(path, StandardOpenOption.CREATE, StandardOpenOption.READ, StandardOpenOption.WRITE);
-            Checkpoint checkpoint = new Checkpoint(path, claim, file, width, height, head.length);
+            Checkpoint checkpoint = new Checkpoint(path, lock, file, width, height, head.length);
             try {
                 writeAll(file, ByteBuffer.wrap(head), 0);
                 return checkpoint;
@@ -102,13 +102,13 @@ public final class Checkpoint implements Closeable {
      * @throws IOException if it cannot be read
      */
     public static Checkpoint open(Path path, Map<String, String> identity, int width, int height) throws IOException {
-        return claimed(path, claim -> {
+        return locked(path, lock -> {
             if (!Files.exists(path) || !identity.equals(identity(path))) {
                 throw new FileInUseException(path.toString());
             }
             FileChannel file = FileChannel.open(path, StandardOpenOption.READ, StandardOpenOption.WRITE);
             try {
-                Checkpoint checkpoint = new Checkpoint(path, claim, file, width, height, head(identity).length);
+                Checkpoint checkpoint = new Checkpoint(path, lock, file, width, height, head(identity).length);
                 checkpoint.load();
                 return checkpoint;
             } catch (IOException e) {
@@ -120,19 +120,19 @@ public final class Checkpoint implements Closeable {
 
     /** What is done with a file that nobody else reads or writes. */
     private interface Use {
-        Checkpoint of(FileClaim claim) throws IOException;
+        Checkpoint of(OutputLock lock) throws IOException;
     }
 
-    /** Claims a file, and keeps the claim only for a checkpoint. */
-    private static Checkpoint claimed(Path path, Use use) throws IOException {
-        FileClaim claim = FileClaim.of(path);
+    /** Locks a file, and keeps the lock only for a checkpoint. */
+    private static Checkpoint locked(Path path, Use use) throws IOException {
+        OutputLock lock = OutputLock.of(path);
         Checkpoint checkpoint = null;
         try {
-            checkpoint = use.of(claim);
+            checkpoint = use.of(lock);
             return checkpoint;
         } finally {
             if (checkpoint == null) {
-                claim.close();
+                lock.close();
             }
         }
     }
@@ -175,7 +175,7 @@ public final class Checkpoint implements Closeable {
      * @throws IOException if it cannot be removed
      */
     public static void delete(Path path) throws IOException {
-        claimed(path, claim -> {
+        locked(path, lock -> {
             if (Files.exists(path)) {                         // else who had it has removed it
                 identity(path);
                 Files.delete(path);
@@ -283,7 +283,7 @@ public final class Checkpoint implements Closeable {
         try {
             file.close();
         } finally {
-            claim.close();
+            lock.close();
         }
     }
 
@@ -297,7 +297,7 @@ public final class Checkpoint implements Closeable {
             file.close();
             Files.deleteIfExists(path);
         } finally {
-            claim.close();
+            lock.close();
         }
     }
 

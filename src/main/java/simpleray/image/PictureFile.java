@@ -3,11 +3,11 @@ package simpleray.image;
 import java.io.Closeable;
 import java.io.IOException;
 import java.nio.file.Path;
-import simpleray.text.WholeFile;
+import simpleray.io.AtomicFile;
 
-/** A picture file in the making: a {@link WholeFile} in PNG. */
+/** A picture file in the making: an {@link AtomicFile} in PNG. */
 public final class PictureFile implements Closeable {
-    private final WholeFile file;
+    private final AtomicFile file;
 
     /**
      * Makes sure that the file can be created, and begins it.
@@ -17,7 +17,7 @@ public final class PictureFile implements Closeable {
      * @throws IOException likewise
      */
     public PictureFile(Path path) throws IOException {
-        file = new WholeFile(path);
+        file = new AtomicFile(path);
     }
 
     /**

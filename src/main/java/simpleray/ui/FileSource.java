@@ -5,12 +5,12 @@ import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
+import simpleray.io.AtomicFile;
 import simpleray.scene.Reach;
 import simpleray.scene.SceneFile;
 import simpleray.scene.SceneSettings;
 import simpleray.scene.ViewLines;
 import simpleray.text.SceneFormatException;
-import simpleray.text.WholeFile;
 
 /** A scene in a file, which remembers what the file was when it was read. Any thread may call. */
 final class FileSource implements SceneSource {
@@ -61,7 +61,7 @@ final class FileSource implements SceneSource {
             throw refusal("It is not readable as a scene: " + e.getMessage().lines().findFirst().orElse(""), e);
         }
         requireUnchanged();                                   // else the bytes might be of the other file
-        try (WholeFile file = new WholeFile(path)) {
+        try (AtomicFile file = new AtomicFile(path)) {
             file.out().write(changed);
             file.commit();
         }

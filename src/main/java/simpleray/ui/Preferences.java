@@ -18,7 +18,7 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
-import simpleray.text.WholeFile;
+import simpleray.io.AtomicFile;
 
 /**
  * What windows remember from one run to the next, in a file of properties. Remembering is a comfort: whatever is wrong with the file, or
@@ -228,7 +228,7 @@ final class Preferences {
             all.store(text, null);
             String lines = text.toString().lines().filter(line -> !line.startsWith("#")).sorted()   // # is the time of writing
                 .collect(Collectors.joining("\n", "# What SimpleRay's window remembers\n", "\n"));
-            try (WholeFile whole = new WholeFile(file)) {
+            try (AtomicFile whole = new AtomicFile(file)) {
                 whole.out().write(lines.getBytes(StandardCharsets.UTF_8));
                 whole.commit();
             }

@@ -12,7 +12,7 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import javax.swing.SwingUtilities;
-import simpleray.text.WholeFile;
+import simpleray.io.AtomicFile;
 
 /** Reads and writes a scene's text on a thread of its own, one after another, and answers on the event thread. */
 final class SceneDisk {
@@ -70,7 +70,7 @@ final class SceneDisk {
                 if (now != null && !Arrays.equals(now, before) && !Arrays.equals(now, bytes)) {
                     answer = new Answer(now, null, true);
                 } else {
-                    try (WholeFile file = new WholeFile(path)) {
+                    try (AtomicFile file = new AtomicFile(path)) {
                         file.out().write(bytes);
                         file.commit();
                     }

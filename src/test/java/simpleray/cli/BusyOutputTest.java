@@ -13,7 +13,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
-import simpleray.text.WholeFile;
+import simpleray.io.AtomicFile;
 
 /** Two that write to one name at the same time. */
 @Timeout(value = 120, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
@@ -80,7 +80,7 @@ class BusyOutputTest {
     @Test
     void aSecondInTheSameProcessIsRefusedToo() throws IOException {
         Path target = folder.resolve("a.png");
-        try (WholeFile first = new WholeFile(target)) {
+        try (AtomicFile first = new AtomicFile(target)) {
             Program.Result second = InProcess.run("render", folder.resolve("grey.scene").toString(), "-o", target.toString());
 
             assertThat(second.err()).isEqualTo(String.format(BUSY, target));

@@ -19,7 +19,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
-import simpleray.text.WholeFile;
+import simpleray.io.AtomicFile;
 
 /** Every command that writes a file or to standard output, and each fault of these. */
 class EveryOutputTest {
@@ -136,7 +136,7 @@ class EveryOutputTest {
     @MethodSource("files")
     void whatAnotherIsWritingIs75(String line) throws IOException {
         Path target = folder.resolve("out");
-        try (WholeFile first = new WholeFile(target)) {
+        try (AtomicFile first = new AtomicFile(target)) {
             assertEnds(ExitCode.BUSY, line, target, "simpleray: " + target + ": is being written by another run of SimpleRay: "
                 + "wait until it has ended, or choose another name");
             first.out().write('1');
@@ -194,7 +194,7 @@ class EveryOutputTest {
     @Test
     void ofFiguresNoneIsBegunIfOneIsBeingWritten() throws IOException {
         Path busy = folder.resolve("ball-terms.png");
-        try (WholeFile first = new WholeFile(busy)) {
+        try (AtomicFile first = new AtomicFile(busy)) {
             assertEnds(ExitCode.BUSY, "figures @ball.scene --progress plain -d", folder, "simpleray: " + busy
                 + ": is being written by another run of SimpleRay: wait until it has ended, or choose another name");
             first.out().flush();

@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Map;
-import simpleray.text.FileInUseException;
+import simpleray.io.FileInUseException;
 
 /** A process that begins a checkpoint and removes it, over and over, as others do at the same time. */
 public final class CheckpointOwner {

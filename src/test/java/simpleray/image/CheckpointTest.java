@@ -18,7 +18,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import simpleray.text.FileInUseException;
+import simpleray.io.FileInUseException;
 
 /** Rows come back from a checkpoint as they were put in, or not at all. */
 class CheckpointTest {

@@ -12,7 +12,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import simpleray.text.FileInUseException;
+import simpleray.io.FileInUseException;
 
 class PictureFileTest {
     @TempDir

@@ -1,4 +1,4 @@
-package simpleray.text;
+package simpleray.io;
 
 import java.nio.file.FileSystemException;
 

@@ -1,4 +1,4 @@
-package simpleray.text;
+package simpleray.io;
 
 import java.io.IOException;
 import java.lang.reflect.InvocationTargetException;

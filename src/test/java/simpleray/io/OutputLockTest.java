@@ -1,4 +1,4 @@
-package simpleray.text;
+package simpleray.io;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
@@ -17,7 +17,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-class FileClaimTest {
+class OutputLockTest {
     @TempDir
     Path folder;
     private Path file;
@@ -29,21 +29,21 @@ class FileClaimTest {
 
     @Test
     void oneHasItAndAnotherGetsItOnlyAfterwards() throws IOException {
-        FileClaim one = new FileClaim(file, "a.png");
-        assertThatThrownBy(() -> new FileClaim(file, "a.png")).isInstanceOf(FileInUseException.class);
+        OutputLock one = new OutputLock(file, "a.png");
+        assertThatThrownBy(() -> new OutputLock(file, "a.png")).isInstanceOf(FileInUseException.class);
         one.close();
 
-        new FileClaim(file, "a.png").close();
+        new OutputLock(file, "a.png").close();
 
         assertThat(folder).isEmptyDirectory();
     }
 
     @Test
-    void whatAKilledProcessLeftIsNoClaim() throws IOException {
+    void whatAKilledProcessLeftIsNoLock() throws IOException {
         Files.writeString(file, "left");
 
-        try (FileClaim claim = new FileClaim(file, "a.png")) {
-            assertThat(claim.file()).isEqualTo(file);
+        try (OutputLock lock = new OutputLock(file, "a.png")) {
+            assertThat(lock.file()).isEqualTo(file);
         }
         assertThat(folder).isEmptyDirectory();
     }
@@ -53,17 +53,17 @@ class FileClaimTest {
         Path other = Files.writeString(folder.resolve("other"), "not to be touched");
         Files.createSymbolicLink(file, other);
 
-        assertThatThrownBy(() -> new FileClaim(file, "a.png")).isInstanceOf(IOException.class);
+        assertThatThrownBy(() -> new OutputLock(file, "a.png")).isInstanceOf(IOException.class);
         assertThat(other).hasContent("not to be touched");
     }
 
     @Test
     void thatItCannotBeMadeIsAnErrorOnlyAsLongAsThatIsSo() throws IOException {
         Path lost = folder.resolve("none").resolve("a.lock");
-        assertThatThrownBy(() -> new FileClaim(lost, "a.png")).isInstanceOf(IOException.class);
+        assertThatThrownBy(() -> new OutputLock(lost, "a.png")).isInstanceOf(IOException.class);
         Files.createDirectory(lost.getParent());
 
-        new FileClaim(lost, "a.png").close();
+        new OutputLock(lost, "a.png").close();
     }
 
     @Test
@@ -72,8 +72,8 @@ class FileClaimTest {
         Callable<Integer> task = () -> {
             int got = 0;
             for (int i = 0; i < 200; i++) {
-                try (FileClaim claim = new FileClaim(file, "a.png")) {
-                    assertThat(claim.file()).exists();
+                try (OutputLock lock = new OutputLock(file, "a.png")) {
+                    assertThat(lock.file()).exists();
                     assertThat(holders.incrementAndGet()).isEqualTo(1);
                     holders.decrementAndGet();
                     got++;

@@ -1,4 +1,4 @@
-package simpleray.text;
+package simpleray.io;
 
 import java.io.BufferedOutputStream;
 import java.io.Closeable;
@@ -18,24 +18,24 @@ import java.util.concurrent.ConcurrentHashMap;
  *
  * <p>One target has one file in the making at a time. What a killed process left of its own is used again by the next.
  */
-public final class WholeFile implements Closeable {
-    /** What is to be deleted should the program be told to stop before it is whole. */
-    private static final Set<Path> BEGUN = ConcurrentHashMap.newKeySet();
+public final class AtomicFile implements Closeable {
+    /** Those to be removed should the program be told to stop before they are whole. */
+    private static final Set<AtomicFile> BEGUN = ConcurrentHashMap.newKeySet();
 
     static {
         Runtime.getRuntime().addShutdownHook(new Thread("simpleray-deleting") {
             @Override
             public void run() {
-                deleteBegun();
+                removeBegun();
             }
         });
     }
 
     private final Path target;
     private final Path part;             // equal to the target where nothing is to be moved
-    private final FileClaim claim;       // null there
+    private final OutputLock lock;       // null there
     private final OutputStream out;
-    private boolean whole;
+    private volatile boolean whole;
     private boolean ended;
 
     /**
@@ -46,7 +46,7 @@ public final class WholeFile implements Closeable {
      * @throws FileSystemException if it cannot be created; the reason says why
      * @throws IOException likewise
      */
-    public WholeFile(Path path) throws IOException {
+    public AtomicFile(Path path) throws IOException {
         if (Files.isDirectory(path)) {
             throw new FileSystemException(path.toString(), null, "is a folder");
         }
@@ -54,17 +54,16 @@ public final class WholeFile implements Closeable {
         if (there && !Files.isWritable(path)) {
             throw new FileSystemException(path.toString(), null, "is write-protected");
         }
-        target = FileClaim.target(path);
+        target = OutputLock.target(path);
         if (there && !Files.isRegularFile(target)) {
             part = target;
-            claim = null;
+            lock = null;
             out = new BufferedOutputStream(Files.newOutputStream(target));
             return;
         }
-        part = FileClaim.beside(target, ".part");
-        claim = FileClaim.of(target, path);
-        BEGUN.add(claim.file());
-        BEGUN.add(part);
+        part = OutputLock.beside(target, ".part");
+        lock = OutputLock.of(target, path);
+        BEGUN.add(this);
         try {
             out = new BufferedOutputStream(open(there));
         } catch (IOException e) {
@@ -94,9 +93,8 @@ public final class WholeFile implements Closeable {
      */
     public void commit() throws IOException {
         out.close();
-        if (claim != null) {
+        if (lock != null) {
             Files.move(part, target, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
-            BEGUN.remove(part);
         }
         whole = true;
     }
@@ -111,8 +109,8 @@ public final class WholeFile implements Closeable {
         }
     }
 
-    private void remove() throws IOException {
-        if (claim == null || ended) {
+    private synchronized void remove() throws IOException {
+        if (lock == null || ended) {
             return;
         }
         ended = true;
@@ -121,17 +119,16 @@ public final class WholeFile implements Closeable {
                 Files.deleteIfExists(part);
             }
         } finally {
-            BEGUN.remove(part);
-            BEGUN.remove(claim.file());
-            claim.close();
+            BEGUN.remove(this);
+            lock.close();
         }
     }
 
     /** The streams stay open: who still writes finds no error, and is about to end. */
-    private static void deleteBegun() {
-        for (Path path : BEGUN) {
+    private static void removeBegun() {
+        for (AtomicFile file : BEGUN) {
             try {
-                Files.deleteIfExists(path);
+                file.remove();
             } catch (IOException e) {
                 continue;                                     // nobody is left to be told
             }

@@ -1,4 +1,4 @@
-package simpleray.text;
+package simpleray.io;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
@@ -19,7 +19,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
 /** A file in the making on a disk of 64 KiB, in memory. */
-class WholeFileTest {
+class AtomicFileTest {
     private static final int SIZE = 1 << 16;
 
     private FileSystem disk;
@@ -40,7 +40,7 @@ class WholeFileTest {
     @Test
     void aDiskThatBecomesFullLeavesTheOldFileAndNothingElse() throws IOException {
         Files.writeString(target, "the old picture");
-        try (WholeFile file = new WholeFile(target)) {
+        try (AtomicFile file = new AtomicFile(target)) {
             assertThatThrownBy(() -> {
                 file.out().write(new byte[SIZE]);
                 file.commit();
@@ -52,7 +52,7 @@ class WholeFileTest {
 
     @Test
     void aDiskThatIsFullOnlyWhenTheLastBytesAreWrittenLeavesNothingToo() throws IOException {
-        try (WholeFile file = new WholeFile(target)) {
+        try (AtomicFile file = new AtomicFile(target)) {
             file.out().write(new byte[SIZE / 2]);
             fill(disk.getPath("/pictures/other"));
             file.out().write(new byte[100]);                  // still in the buffer
@@ -65,14 +65,14 @@ class WholeFileTest {
     void aDiskThatIsFullFromTheBeginningIsKnownAtOnce() throws IOException {
         Files.write(disk.getPath("/pictures/other"), new byte[SIZE]);
 
-        assertThatThrownBy(() -> new WholeFile(target)).isInstanceOf(IOException.class).hasMessage("out of disk space");
+        assertThatThrownBy(() -> new AtomicFile(target)).isInstanceOf(IOException.class).hasMessage("out of disk space");
         assertThat(names()).containsExactly("other");
     }
 
     @Test
     void whatAKilledProcessLeftIsUsedAndGone() throws IOException {
         List<String> left;
-        try (WholeFile file = new WholeFile(target)) {
+        try (AtomicFile file = new AtomicFile(target)) {
             file.out().write(1);
             left = names();
         }
@@ -80,7 +80,7 @@ class WholeFileTest {
             Files.writeString(target.resolveSibling(name), "half a picture");
         }
 
-        try (WholeFile file = new WholeFile(target)) {
+        try (AtomicFile file = new AtomicFile(target)) {
             file.out().write("whole".getBytes(StandardCharsets.US_ASCII));
             file.commit();
         }
@@ -92,20 +92,20 @@ class WholeFileTest {
     @Test
     void oneTargetHasOneInTheMakingHoweverItIsNamed() throws IOException {
         Path other = disk.getPath("/pictures/../pictures/./picture.png");
-        try (WholeFile file = new WholeFile(target)) {
-            assertThatThrownBy(() -> new WholeFile(other)).isInstanceOf(FileInUseException.class);
-            new WholeFile(disk.getPath("/pictures/another.png")).close();
+        try (AtomicFile file = new AtomicFile(target)) {
+            assertThatThrownBy(() -> new AtomicFile(other)).isInstanceOf(FileInUseException.class);
+            new AtomicFile(disk.getPath("/pictures/another.png")).close();
             file.commit();
-            assertThatThrownBy(() -> new WholeFile(other)).as("until it is closed").isInstanceOf(FileInUseException.class);
+            assertThatThrownBy(() -> new AtomicFile(other)).as("until it is closed").isInstanceOf(FileInUseException.class);
         }
-        new WholeFile(other).close();
+        new AtomicFile(other).close();
     }
 
     @Test
     void closingTwiceHarmsNobody() throws IOException {
-        WholeFile first = new WholeFile(target);
+        AtomicFile first = new AtomicFile(target);
         first.close();
-        try (WholeFile second = new WholeFile(target)) {
+        try (AtomicFile second = new AtomicFile(target)) {
             first.close();
             second.out().write(1);
             second.commit();
@@ -117,7 +117,7 @@ class WholeFileTest {
     @Test
     void aNameMayBeAsLongAsNamesMayBe() throws IOException {
         Path longest = target.resolveSibling("a".repeat(251) + ".png");
-        try (WholeFile file = new WholeFile(longest)) {
+        try (AtomicFile file = new AtomicFile(longest)) {
             assertThat(names()).allMatch(name -> name.length() < 40);
             file.commit();
         }

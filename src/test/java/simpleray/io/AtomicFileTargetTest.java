@@ -1,4 +1,4 @@
-package simpleray.text;
+package simpleray.io;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
@@ -21,7 +21,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
 /** What may be a target and what may not, and what becomes of links, devices and permissions; on a disk in memory. */
-class WholeFileTargetTest {
+class AtomicFileTargetTest {
     private final TrickyDisk tricky = new TrickyDisk();
     private FileSystem disk;
     private Path target;
@@ -75,7 +75,7 @@ class WholeFileTargetTest {
         tricky.writing = begun -> {
             throw new FileSystemException(begun.toString(), null, "too many open files");
         };
-        assertThatThrownBy(() -> new WholeFile(tricky.path(target))).hasMessageEndingWith(".part: too many open files");
+        assertThatThrownBy(() -> new AtomicFile(tricky.path(target))).hasMessageEndingWith(".part: too many open files");
         assertThat(names()).isEmpty();
 
         tricky.writing = begun -> { };
@@ -100,7 +100,7 @@ class WholeFileTargetTest {
     void aDeviceIsWrittenToAsItIs() throws IOException {
         Files.createFile(target);
         tricky.devices = true;
-        try (WholeFile file = new WholeFile(tricky.path(target))) {
+        try (AtomicFile file = new AtomicFile(tricky.path(target))) {
             file.out().write("a picture".getBytes(StandardCharsets.US_ASCII));
             assertThat(names()).as("nothing beside it").containsExactly("picture.png");
             file.commit();
@@ -121,7 +121,7 @@ class WholeFileTargetTest {
 
     @Test
     void whatIsClosedCannotBeWritten() throws IOException {
-        WholeFile file = new WholeFile(target);
+        AtomicFile file = new AtomicFile(target);
         file.close();
 
         assertThatThrownBy(() -> file.out().write(new byte[1 << 16])).isInstanceOf(IOException.class);
@@ -129,11 +129,11 @@ class WholeFileTargetTest {
     }
 
     private static void assertRefused(Path path, String message) {
-        assertThatThrownBy(() -> new WholeFile(path)).isInstanceOf(FileSystemException.class).hasMessage(message);
+        assertThatThrownBy(() -> new AtomicFile(path)).isInstanceOf(FileSystemException.class).hasMessage(message);
     }
 
     private static void write(Path path, String text) throws IOException {
-        try (WholeFile file = new WholeFile(path)) {
+        try (AtomicFile file = new AtomicFile(path)) {
             file.out().write(text.getBytes(StandardCharsets.US_ASCII));
             file.commit();
         }
