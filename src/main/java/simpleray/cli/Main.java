@@ -8,6 +8,7 @@ import java.io.PrintStream;
 import java.nio.file.InvalidPathException;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.IVersionProvider;
+import simpleray.io.Sha256;
 import simpleray.render.OutOfMemory;
 
 /** The program: {@code simpleray SCENE} opens the window, the other commands work without one. */
@@ -43,6 +44,7 @@ public final class Main implements Runnable {
      * @param args the command line
      */
     public static void main(String[] args) {
+        Sha256.preload();
         System.exit(run(args, System.in, new FileOutputStream(FileDescriptor.out), System.err));
     }
 

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.util.HashMap;
 import java.util.Map;
+import simpleray.text.PngChunks;
 import simpleray.text.PngText;
 
 /**
@@ -14,7 +15,6 @@ import simpleray.text.PngText;
  * bytes depend on the picture alone.
  */
 public final class PngWriter {
-    private static final int[] SIGNATURE = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
     private static final int[] FORMAT = {8, 2, 0, 0, 0};      // bits, RGB, deflate, the five filters, not interlaced
     private static final int[] ZLIB = {0x78, 0x01};           // deflate with a window of 32 KiB, compressed fast
     private static final int[] LAST_BLOCK = {0x03, 0x00};     // of no bytes
@@ -133,9 +133,7 @@ public final class PngWriter {
     }
 
     private void begin() throws IOException {
-        for (int b : SIGNATURE) {
-            out.write(b);
-        }
+        out.write(PngChunks.signature());
         PngChunk header = new PngChunk("IHDR", 2 * Integer.BYTES + FORMAT.length);
         header.putInt(picture.width());
         header.putInt(picture.height());

@@ -7,13 +7,14 @@ import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
+import java.security.DigestInputStream;
 import java.util.Arrays;
 import java.util.function.Consumer;
+import simpleray.io.Sha256;
 import simpleray.text.Found;
 import simpleray.text.Numbers;
 import simpleray.text.Numerals;
 import simpleray.text.Problem;
-import simpleray.text.SceneBytes;
 import simpleray.text.SceneFormatException;
 
 /**
@@ -87,9 +88,9 @@ final class ObjReader {
         if (Files.exists(path) && !Files.isRegularFile(path)) {   // a pipe or a device may never end
             throw new FileSystemException(path.toString(), null, "is no regular file");
         }
-        try (SceneBytes in = new SceneBytes(Files.newInputStream(path), 0)) {
+        try (DigestInputStream in = new DigestInputStream(Files.newInputStream(path), Sha256.begin())) {
             Triangles read = read(in, path.toString(), warnings);
-            digest.accept(in.sha256());
+            digest.accept(Sha256.hex(in.getMessageDigest().digest()));
             return read;
         } catch (NoSuchFileException | AccessDeniedException e) {
             String reason = e instanceof NoSuchFileException ? "no such file" : "may not be read";

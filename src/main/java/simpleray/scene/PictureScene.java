@@ -9,14 +9,13 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import simpleray.io.Sha256;
 import simpleray.scene.SourceText.MeshFile;
 import simpleray.text.PictureFormatException;
 import simpleray.text.PngChunks;
 import simpleray.text.PngText;
 import simpleray.text.PngTextReader;
 import simpleray.text.Problem;
-import simpleray.text.SceneBytes;
-import simpleray.text.Sha256;
 
 /**
  * The description of how a picture was made, from the texts that its file carries. <em>Constant.</em>
@@ -45,17 +44,13 @@ public record PictureScene(String file, String software, SceneSettings settings,
      */
     public static PictureScene read(Path path) throws IOException {
         try (InputStream in = Files.newInputStream(path)) {
-            SceneBytes bytes = new SceneBytes(in, 0);
-            if (!bytes.isPng()) {
-                throw new PictureFormatException(path.toString(), "is no PNG");
-            }
-            return read(bytes, path.toString());
+            return read(new PngChunks(new BufferedInputStream(in), path.toString()).begin(), path.toString());
         }
     }
 
-    /** Reads what a picture tells of which the signature was seen. */
-    static PictureScene read(SceneBytes in, String file) throws IOException {
-        Map<String, byte[]> texts = PngTextReader.read(new PngChunks(new BufferedInputStream(in.behindHead()), file));
+    /** Reads what a picture tells. */
+    static PictureScene read(PngChunks chunks, String file) throws IOException {
+        Map<String, byte[]> texts = PngTextReader.read(chunks);
         String software = string(texts, SOFTWARE);
         String options = string(texts, OPTIONS);
         String sums = string(texts, SUMS);

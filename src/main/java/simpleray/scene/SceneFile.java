@@ -1,18 +1,21 @@
 package simpleray.scene;
 
+import java.io.BufferedInputStream;
 import java.io.ByteArrayInputStream;
 import java.io.FileInputStream;
 import java.io.FileNotFoundException;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
+import java.io.PushbackInputStream;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import simpleray.io.HashingInputStream;
+import simpleray.text.PngChunks;
 import simpleray.text.PngText;
 import simpleray.text.Problem;
-import simpleray.text.SceneBytes;
 import simpleray.text.SceneFormatException;
 import simpleray.text.SceneReader;
 
@@ -65,8 +68,8 @@ public record SceneFile(Scene scene, List<Problem> warnings, SourceText text) {
         if (Files.isDirectory(path)) {
             throw new FileSystemException(path.toString(), null, "is a folder");
         }
-        try (SceneBytes in = new SceneBytes(new FileInputStream(path.toFile()), longestKept(path))) {
-            return read(in, path.toString(), path.resolveSibling(""), reach);
+        try (InputStream in = new FileInputStream(path.toFile())) {
+            return read(in, longestKept(path), path.toString(), path.resolveSibling(""), reach);
         } catch (FileNotFoundException e) {
             String reason = Files.exists(path) ? "may not be read" : "no such file";
             throw (IOException) new FileSystemException(path.toString(), null, reason).initCause(e);
@@ -152,18 +155,15 @@ public record SceneFile(Scene scene, List<Problem> warnings, SourceText text) {
     }
 
     private static SceneFile read(InputStream in, String name, Path folder, Reach reach) throws IOException {
-        SceneBytes bytes = new SceneBytes(in, PngText.LONGEST);
-        try {
-            return read(bytes, name, folder, reach);
-        } finally {
-            bytes.release();
-        }
+        return read(in, PngText.LONGEST, name, folder, reach);
     }
 
-    private static SceneFile read(SceneBytes in, String name, Path folder, Reach reach) throws IOException {
-        if (in.isPng()) {
-            return PictureScene.read(in, name).open(name, folder, reach);
+    private static SceneFile read(InputStream file, int longestKept, String name, Path folder, Reach reach) throws IOException {
+        PushbackInputStream begun = new PushbackInputStream(file, PngChunks.signature().length);
+        if (PngChunks.begin(begun)) {
+            return PictureScene.read(new PngChunks(new BufferedInputStream(begun), name), name).open(name, folder, reach);
         }
+        HashingInputStream in = new HashingInputStream(begun, longestKept);
         SceneReader reader = new SceneReader(in, name, folder);
         MeshFiles meshes = MeshFiles.of(reader, reach);
         Scene scene = read(reader, new Again() {

@@ -6,11 +6,10 @@ import java.io.UncheckedIOException;
 import java.nio.ByteBuffer;
 import java.security.DigestOutputStream;
 import java.security.MessageDigest;
-import java.security.NoSuchAlgorithmException;
 import java.util.Collections;
-import java.util.HexFormat;
 import java.util.IdentityHashMap;
 import java.util.Set;
+import simpleray.io.Sha256;
 import simpleray.text.SceneWriter;
 
 /**
@@ -31,7 +30,7 @@ public final class SceneHash {
      */
     public static String of(Scene scene) {
         try {
-            MessageDigest digest = MessageDigest.getInstance("SHA-256");
+            MessageDigest digest = Sha256.begin();
             SceneWriter writer = new SceneWriter(new DigestOutputStream(OutputStream.nullOutputStream(), digest));
             withoutSettings(scene).write(writer);
             writer.flush();
@@ -41,9 +40,7 @@ public final class SceneHash {
                     add(digest, mesh.mesh().triangles);
                 }
             }
-            return HexFormat.of().formatHex(digest.digest());
-        } catch (NoSuchAlgorithmException e) {
-            throw new IllegalStateException("each Java has SHA-256", e);
+            return Sha256.hex(digest.digest());
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }

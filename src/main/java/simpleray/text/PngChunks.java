@@ -2,6 +2,7 @@ package simpleray.text;
 
 import java.io.IOException;
 import java.io.InputStream;
+import java.io.PushbackInputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.zip.CRC32;
@@ -39,6 +40,29 @@ public final class PngChunks {
     /** {@return the bytes with which a PNG file begins} */
     public static byte[] signature() {
         return SIGNATURE.clone();
+    }
+
+    /**
+     * Looks whether a file is a PNG. No more bytes are waited for than are needed.
+     *
+     * @param in the file, which can take back 8 bytes; behind the signature then, or at its beginning again if it is none
+     * @return whether it has the signature
+     * @throws IOException if it cannot be read
+     */
+    public static boolean begin(PushbackInputStream in) throws IOException {
+        byte[] head = new byte[SIGNATURE.length];
+        int end = 0;
+        while (end < head.length && in.read(head, end, 1) > 0) {
+            end++;
+            if (head[end - 1] != SIGNATURE[end - 1]) {
+                break;
+            }
+        }
+        if (Arrays.equals(head, SIGNATURE)) {
+            return true;
+        }
+        in.unread(head, 0, end);
+        return false;
     }
 
     /**

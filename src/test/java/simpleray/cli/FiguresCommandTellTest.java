@@ -13,9 +13,9 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import simpleray.Rendered;
+import simpleray.io.Sha256;
 import simpleray.render.Provenance;
 import simpleray.scene.PictureScene;
-import simpleray.text.Sha256;
 
 /** What the sheets of {@code figures} tell of how they were made. */
 class FiguresCommandTellTest {

@@ -94,10 +94,10 @@ class LittleMemoryTest {
         assertThat(folder.resolve("crowd.png")).doesNotExist();
     }
 
-    /** It ends on a thread that reads, digests or makes the scene ready, now on this one and now on that. */
+    /** It ends on a thread that reads or makes the scene ready, now on this one and now on that. */
     @Tag("slow")
     @ParameterizedTest
-    @CsvSource({"300000, 2", "300000, 8", "300000, 8", "1000000, 2"})
+    @CsvSource({"350000, 2", "350000, 8", "350000, 8", "1000000, 2"})
     void manySpheresThatDoNotFitAreRefused(int n, String threads) throws IOException, InterruptedException {
         spheres(n);
 

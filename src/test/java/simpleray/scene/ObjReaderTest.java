@@ -15,9 +15,9 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import simpleray.io.Sha256;
 import simpleray.text.Problem;
 import simpleray.text.SceneFormatException;
-import simpleray.text.Sha256;
 
 /** OBJ files, right and wrong. */
 class ObjReaderTest {

@@ -16,12 +16,12 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import simpleray.image.Picture;
 import simpleray.image.PngWriter;
+import simpleray.io.Sha256;
 import simpleray.scene.SourceText.MeshFile;
 import simpleray.text.PictureFormatException;
 import simpleray.text.PngText;
 import simpleray.text.Problem;
 import simpleray.text.SceneFormatException;
-import simpleray.text.Sha256;
 
 class PictureSceneTest {
     private static final byte[] DARK = "0\nambient\n0.5 0.5 0.5\n0\ndepth 3\n".getBytes(StandardCharsets.UTF_8);

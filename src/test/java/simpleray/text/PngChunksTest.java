@@ -6,6 +6,8 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.io.InputStream;
+import java.io.PushbackInputStream;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
@@ -58,6 +60,43 @@ class PngChunksTest {
 
         assertThat(chunks.next()).isNull();
         assertThat(chunks.next()).isNull();
+    }
+
+    @Test
+    void aPngIsKnownByItsFirstEightBytes() throws IOException {
+        byte[] png = PngChunks.signature();
+        assertThat(PngChunks.begin(file(png))).isTrue();
+        for (int n = 0; n < png.length; n++) {
+            assertThat(PngChunks.begin(file(Arrays.copyOf(png, n)))).as("cut after " + n).isFalse();
+            byte[] other = png.clone();
+            other[n]++;
+            PushbackInputStream in = file(other);
+            assertThat(PngChunks.begin(in)).as("other at " + n).isFalse();
+            assertThat(in.readAllBytes()).as("nothing is lost").isEqualTo(other);
+        }
+    }
+
+    @Test
+    void behindTheSignatureOfAPngIsItsFirstChunk() throws IOException {
+        byte[] bytes = Arrays.copyOf(PngChunks.signature(), 10);
+        bytes[8] = 42;
+        PushbackInputStream in = file(bytes);
+
+        assertThat(PngChunks.begin(in)).isTrue();
+        assertThat(in.readAllBytes()).containsExactly(42, 0);
+    }
+
+    /** Who types a scene must not have to type eight characters before the first is looked at. */
+    @Test
+    void ofATextNoMoreThanOneByteIsWaitedFor() throws IOException {
+        InputStream in = new ByteArrayInputStream("2 # objects".getBytes(StandardCharsets.UTF_8));
+
+        assertThat(PngChunks.begin(new PushbackInputStream(in, 8))).isFalse();
+        assertThat(in.available()).isEqualTo("2 # objects".length() - 1);
+    }
+
+    private static PushbackInputStream file(byte[] bytes) {
+        return new PushbackInputStream(new ByteArrayInputStream(bytes), 8);
     }
 
     private static PngChunks open(int atOnce) throws IOException {
