@@ -8,7 +8,7 @@ import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import javax.imageio.ImageIO;
-import simpleray.image.PngWriter;
+import simpleray.image.png.PngWriter;
 import simpleray.render.RenderListener;
 import simpleray.render.RenderSettings;
 import simpleray.render.Renderer;

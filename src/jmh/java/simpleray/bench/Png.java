@@ -7,7 +7,7 @@ import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.OutputTimeUnit;
 import org.openjdk.jmh.annotations.Setup;
 import simpleray.image.Picture;
-import simpleray.image.PngWriter;
+import simpleray.image.png.PngWriter;
 import simpleray.render.RenderRequest;
 import simpleray.render.Stage;
 import simpleray.scene.SceneFile;

@@ -10,9 +10,9 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.ParentCommand;
+import simpleray.image.png.PictureFormatException;
 import simpleray.render.SceneLint;
 import simpleray.scene.SceneFile;
-import simpleray.text.PictureFormatException;
 import simpleray.text.Problem;
 import simpleray.text.SceneFormatException;
 

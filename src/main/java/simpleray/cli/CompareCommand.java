@@ -1,9 +1,6 @@
 package simpleray.cli;
 
-import java.io.BufferedInputStream;
-import java.io.FileInputStream;
 import java.io.IOException;
-import java.io.InputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
@@ -12,11 +9,11 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.ParentCommand;
-import simpleray.image.HeatMap;
 import simpleray.image.PictureDiff;
-import simpleray.image.PngRows;
+import simpleray.image.png.HeatMap;
+import simpleray.image.png.PictureFormatException;
+import simpleray.image.png.PngReader;
 import simpleray.io.AtomicFile;
-import simpleray.text.PictureFormatException;
 
 /** Measures how two pictures differ. */
 @Command(mixinStandardHelpOptions = true, sortOptions = false,
@@ -46,7 +43,7 @@ final class CompareCommand implements Callable<Integer> {
         if (heatmap != null && (TextOutput.isSame(one, heatmap) || TextOutput.isSame(other, heatmap))) {
             throw CommandException.usage("the output " + heatmap + " is one of the pictures");
         }
-        try (PngRows a = open(one); PngRows b = open(other)) {
+        try (PngReader a = open(one); PngReader b = open(other)) {
             if (a.width() != b.width() || a.height() != b.height()) {
                 return trouble(one + " is " + a.width() + 'x' + a.height() + ", and " + other + " is " + b.width() + 'x' + b.height());
             }
@@ -65,24 +62,18 @@ final class CompareCommand implements Callable<Integer> {
         return ExitCode.USAGE;
     }
 
-    private PngRows open(String name) throws IOException {
+    private PngReader open(String name) throws IOException {
         if (name.equals(SceneArgument.STREAM)) {
-            return new PngRows(main.in(), "<stdin>");
+            return PngReader.open(main.in(), "<stdin>");
         }
         Path path = Path.of(name);
         if (Files.isDirectory(path) || !Files.exists(path)) {
             throw new PictureFormatException(name, Files.exists(path) ? "is a folder" : "no such file");
         }
-        InputStream in = new BufferedInputStream(new FileInputStream(name));
-        try {
-            return new PngRows(in, name);
-        } catch (IOException e) {
-            in.close();
-            throw e;
-        }
+        return PngReader.open(name);
     }
 
-    private PictureDiff compareAndDraw(PngRows a, PngRows b) throws IOException, CommandException {
+    private PictureDiff compareAndDraw(PngReader a, PngReader b) throws IOException, CommandException {
         try (AtomicFile file = TextOutput.begin(heatmap)) {
             HeatMap map = new HeatMap(a.width(), a.height(), file.out());
             PictureDiff diff = compare(a, b, map);
@@ -96,7 +87,7 @@ final class CompareCommand implements Callable<Integer> {
         }
     }
 
-    private PictureDiff compare(PngRows a, PngRows b, HeatMap map) throws IOException, CommandException {
+    private PictureDiff compare(PngReader a, PngReader b, HeatMap map) throws IOException, CommandException {
         PictureDiff diff = new PictureDiff(a.width(), a.height());
         for (int y = 0; y < a.height(); y++) {
             int[] differences = diff.row(a.next(), b.next());
@@ -115,7 +106,7 @@ final class CompareCommand implements Callable<Integer> {
         return new CommandException(ExitCode.WRITE_ERROR, "simpleray: " + heatmap + ": cannot be written: " + e.getMessage());
     }
 
-    private String text(PictureDiff c, PngRows size) {
+    private String text(PictureDiff c, PngReader size) {
         return String.format(Locale.ROOT, "%s and %s are %s: %dx%d%n"
             + "largest difference     %d levels%n"
             + "RMSE                   %.6f levels%n"
@@ -126,7 +117,7 @@ final class CompareCommand implements Callable<Integer> {
             c.beyondOneLevel(), c.pixels()).replace(System.lineSeparator(), "\n");
     }
 
-    private static String json(PictureDiff c, PngRows size) {
+    private static String json(PictureDiff c, PngReader size) {
         return "{\"same\":" + (c.maximum() == 0) + ",\"width\":" + size.width() + ",\"height\":" + size.height() + ",\"maximum\":"
             + c.maximum() + ",\"rmse\":" + c.rmse() + ",\"psnr\":" + (c.maximum() == 0 ? "null" : String.valueOf(c.psnr())) + ",\"ssim\":"
             + c.ssim() + ",\"beyondOneLevel\":" + c.beyondOneLevel() + ",\"pixels\":" + c.pixels() + "}\n";

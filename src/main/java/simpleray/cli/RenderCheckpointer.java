@@ -16,7 +16,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.Supplier;
 import simpleray.image.Checkpoint;
 import simpleray.image.Picture;
-import simpleray.image.RowSink;
+import simpleray.image.png.RowSink;
 import simpleray.io.FileInUseException;
 import simpleray.render.PictureIdentity;
 import simpleray.render.Progress;

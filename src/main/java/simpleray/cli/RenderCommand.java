@@ -16,7 +16,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.ParentCommand;
 import simpleray.image.Picture;
-import simpleray.image.PngWriter;
+import simpleray.image.png.PngWriter;
 import simpleray.io.AtomicFile;
 import simpleray.render.PictureIdentity;
 import simpleray.render.Progress;

@@ -5,9 +5,9 @@ import java.io.InputStream;
 import java.io.PrintStream;
 import java.nio.file.FileSystemException;
 import java.nio.file.Path;
+import simpleray.image.png.PictureFormatException;
 import simpleray.scene.Reach;
 import simpleray.scene.SceneFile;
-import simpleray.text.PictureFormatException;
 import simpleray.text.Problem;
 import simpleray.text.SceneFormatException;
 

@@ -1,7 +1,5 @@
 package simpleray.cli;
 
-import java.io.BufferedInputStream;
-import java.io.FileInputStream;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
@@ -14,16 +12,16 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.ParentCommand;
 import simpleray.image.Picture;
-import simpleray.image.PngRows;
-import simpleray.image.RowsCheck;
-import simpleray.image.RowsCheck.Pixel;
+import simpleray.image.png.PictureFormatException;
+import simpleray.image.png.PngReader;
+import simpleray.image.png.RowsCheck.Pixel;
+import simpleray.image.png.RowsCheck;
 import simpleray.render.Progress;
 import simpleray.render.Provenance;
 import simpleray.render.RenderRequest;
 import simpleray.render.Renderer;
 import simpleray.scene.PictureScene;
 import simpleray.scene.SceneFile;
-import simpleray.text.PictureFormatException;
 
 /** Renders a picture's scene again and compares. */
 @Command(mixinStandardHelpOptions = true, sortOptions = false,
@@ -93,8 +91,9 @@ final class VerifyCommand implements Callable<Integer> {
     private int compare(Renderer renderer, PictureScene told) throws IOException, CommandException {
         Picture rendered = renderer.picture();
         HeapCheck.require("a picture of " + rendered.width() + 'x' + rendered.height(),
-            renderer.bytesNeeded() + 3L * rendered.width() * renderer.rowsAhead());
-        try (PngRows rows = new PngRows(new BufferedInputStream(new FileInputStream(picture)), picture)) {
+            renderer.bytesNeeded() + 3L * rendered.width() * renderer.rowsAhead()
+                + PngReader.bytesNeeded(rendered.width(), rendered.height()));
+        try (PngReader rows = PngReader.open(picture)) {
             if (rows.width() != rendered.width() || rows.height() != rendered.height()) {
                 throw new PictureFormatException(picture, "is " + rows.width() + 'x' + rows.height() + ", and its options say "
                     + rendered.width() + 'x' + rendered.height());

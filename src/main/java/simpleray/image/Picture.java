@@ -3,7 +3,6 @@ package simpleray.image;
 import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicReferenceArray;
-import simpleray.text.PngText;
 
 /**
  * A picture: rows of linear RGB, not clamped, the top row first. <em>Mutable</em>: each row is set once, by any thread, and a row
@@ -20,7 +19,7 @@ public final class Picture {
     private final int width;
     private final int height;
     private final AtomicReferenceArray<double[]> rows;
-    private volatile List<PngText> texts = List.of();
+    private volatile List<PictureText> texts = List.of();
 
     /**
      * Creates a picture without rows.
@@ -58,12 +57,12 @@ public final class Picture {
      *
      * @param told the texts
      */
-    public void tell(List<PngText> told) {
+    public void tell(List<PictureText> told) {
         texts = List.copyOf(told);
     }
 
     /** {@return what the picture's file is to carry beside the pixels} */
-    public List<PngText> texts() {
+    public List<PictureText> texts() {
         return texts;
     }
 
@@ -148,8 +147,15 @@ public final class Picture {
         return image;
     }
 
-    /** Puts the levels of a row into an array, from a place on. */
-    void levels(int y, byte[] levels, int from) {
+    /**
+     * Puts the levels of a row into an array.
+     *
+     * @param y its number, 0 at the top
+     * @param levels gets red, green and blue of each pixel, 0 to 255 each
+     * @param from where in it they begin
+     * @throws IllegalStateException if the picture does not have the row
+     */
+    public void levels(int y, byte[] levels, int from) {
         double[] linear = rows.get(y);
         if (linear == null) {
             throw new IllegalStateException("row " + y + " of the picture is not there");

@@ -1,2 +1,2 @@
-/** Pictures and their file formats. {@link simpleray.image.Picture} is the one place that turns light into levels. */
+/** Pictures, how they differ, and what keeps them while they are rendered. {@link simpleray.image.Picture} is the one place that turns light into levels. */
 package simpleray.image;

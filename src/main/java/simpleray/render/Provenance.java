@@ -3,12 +3,12 @@ package simpleray.render;
 import java.io.IOException;
 import java.util.Arrays;
 import java.util.List;
+import simpleray.image.PictureText;
+import simpleray.image.png.PictureFormatException;
 import simpleray.scene.PictureScene;
 import simpleray.scene.SceneFile;
 import simpleray.scene.SceneSettings;
 import simpleray.scene.SimpleCamera;
-import simpleray.text.PictureFormatException;
-import simpleray.text.PngText;
 import simpleray.text.Problem;
 
 /**
@@ -36,7 +36,7 @@ public final class Provenance {
      * @param file the scene
      * @return the texts; none if the scene was not read from a text
      */
-    public static List<PngText> of(RenderRequest request, SceneFile file) {
+    public static List<PictureText> of(RenderRequest request, SceneFile file) {
         return of(STAGE + request.stage(), request, file);
     }
 
@@ -48,11 +48,11 @@ public final class Provenance {
      * @param what what there is on it, in one line
      * @return the texts; none if the scene was not read from a text
      */
-    public static List<PngText> ofSheet(RenderRequest request, SceneFile file, String what) {
+    public static List<PictureText> ofSheet(RenderRequest request, SceneFile file, String what) {
         return of(SHEET + what, request, file);
     }
 
-    private static List<PngText> of(String what, RenderRequest request, SceneFile file) {
+    private static List<PictureText> of(String what, RenderRequest request, SceneFile file) {
         if (file.text() == null) {
             return List.of();
         }

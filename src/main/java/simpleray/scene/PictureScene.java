@@ -9,12 +9,12 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import simpleray.image.PictureText;
+import simpleray.image.png.PictureFormatException;
+import simpleray.image.png.PngChunks;
+import simpleray.image.png.PngTextReader;
 import simpleray.io.Sha256;
 import simpleray.scene.SourceText.MeshFile;
-import simpleray.text.PictureFormatException;
-import simpleray.text.PngChunks;
-import simpleray.text.PngText;
-import simpleray.text.PngTextReader;
 import simpleray.text.Problem;
 
 /**
@@ -101,15 +101,15 @@ public record PictureScene(String file, String software, SceneSettings settings,
      * @param text the scene
      * @return the texts
      */
-    public static List<PngText> texts(String software, String options, SourceText text) {
+    public static List<PictureText> texts(String software, String options, SourceText text) {
         StringBuilder sums = new StringBuilder(text.sha256() + GAP + line(text.name()) + '\n');
         for (MeshFile mesh : text.meshes()) {
             sums.append(mesh.sha256()).append(GAP).append(line(mesh.name())).append('\n');
         }
-        List<PngText> texts = new ArrayList<>(List.of(new PngText(SOFTWARE, software), new PngText(OPTIONS, options),
-            new PngText(SUMS, sums.toString())));
+        List<PictureText> texts = new ArrayList<>(List.of(new PictureText(SOFTWARE, software), new PictureText(OPTIONS, options),
+            new PictureText(SUMS, sums.toString())));
         if (text.bytes() != null) {
-            texts.add(new PngText(TEXT, text.bytes()));
+            texts.add(new PictureText(TEXT, text.bytes()));
         }
         return texts;
     }

@@ -12,9 +12,9 @@ import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import simpleray.image.PictureText;
+import simpleray.image.png.PngChunks;
 import simpleray.io.HashingInputStream;
-import simpleray.text.PngChunks;
-import simpleray.text.PngText;
 import simpleray.text.Problem;
 import simpleray.text.SceneFormatException;
 import simpleray.text.SceneReader;
@@ -45,7 +45,7 @@ public record SceneFile(Scene scene, List<Problem> warnings, SourceText text) {
      * @param path the file; its path as given stands in messages
      * @return the scene
      * @throws SceneFormatException if it is no scene
-     * @throws simpleray.text.PictureFormatException if it is a picture, and damaged or without a scene
+     * @throws simpleray.image.png.PictureFormatException if it is a picture, and damaged or without a scene
      * @throws FileSystemException if it cannot be opened, with a reason that people understand
      * @throws IOException if it cannot be read
      */
@@ -60,7 +60,7 @@ public record SceneFile(Scene scene, List<Problem> warnings, SourceText text) {
      * @param reach which OBJ files it may name
      * @return the scene
      * @throws SceneFormatException if it is no scene
-     * @throws simpleray.text.PictureFormatException if it is a picture, and damaged or without a scene
+     * @throws simpleray.image.png.PictureFormatException if it is a picture, and damaged or without a scene
      * @throws FileSystemException if it cannot be opened, with a reason that people understand
      * @throws IOException if it cannot be read
      */
@@ -78,7 +78,7 @@ public record SceneFile(Scene scene, List<Problem> warnings, SourceText text) {
 
     /** {@return the number of bytes of a file to keep: none if it is known to be too long} */
     private static int longestKept(Path path) {
-        return path.toFile().length() > PngText.LONGEST ? 0 : PngText.LONGEST;
+        return path.toFile().length() > PictureText.LONGEST ? 0 : PictureText.LONGEST;
     }
 
     /**
@@ -87,7 +87,7 @@ public record SceneFile(Scene scene, List<Problem> warnings, SourceText text) {
      * @param in the stream, read to its end and left open
      * @return the scene
      * @throws SceneFormatException if it is no scene
-     * @throws simpleray.text.PictureFormatException if it is a picture, and damaged or without a scene
+     * @throws simpleray.image.png.PictureFormatException if it is a picture, and damaged or without a scene
      * @throws IOException if it cannot be read
      */
     public static SceneFile read(InputStream in) throws IOException {
@@ -101,7 +101,7 @@ public record SceneFile(Scene scene, List<Problem> warnings, SourceText text) {
      * @param reach which OBJ files it may name
      * @return the scene
      * @throws SceneFormatException if it is no scene
-     * @throws simpleray.text.PictureFormatException if it is a picture, and damaged or without a scene
+     * @throws simpleray.image.png.PictureFormatException if it is a picture, and damaged or without a scene
      * @throws IOException if it cannot be read
      */
     public static SceneFile read(InputStream in, Reach reach) throws IOException {
@@ -155,7 +155,7 @@ public record SceneFile(Scene scene, List<Problem> warnings, SourceText text) {
     }
 
     private static SceneFile read(InputStream in, String name, Path folder, Reach reach) throws IOException {
-        return read(in, PngText.LONGEST, name, folder, reach);
+        return read(in, PictureText.LONGEST, name, folder, reach);
     }
 
     private static SceneFile read(InputStream file, int longestKept, String name, Path folder, Reach reach) throws IOException {

@@ -14,7 +14,7 @@ import javax.swing.JOptionPane;
 import javax.swing.SwingUtilities;
 import javax.swing.filechooser.FileNameExtensionFilter;
 import simpleray.image.Picture;
-import simpleray.image.PictureFile;
+import simpleray.image.png.PictureFile;
 
 /** Asks for a scene to open, and for a place to save the picture. */
 final class PictureDialogs {

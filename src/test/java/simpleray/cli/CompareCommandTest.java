@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import simpleray.Rendered;
 import simpleray.image.Picture;
-import simpleray.image.PngWriter;
+import simpleray.image.png.PngWriter;
 
 class CompareCommandTest {
     @TempDir

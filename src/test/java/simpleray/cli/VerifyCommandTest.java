@@ -2,7 +2,6 @@ package simpleray.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -19,8 +18,8 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import simpleray.Project;
 import simpleray.image.Picture;
-import simpleray.image.PngRows;
-import simpleray.image.PngWriter;
+import simpleray.image.png.PngReader;
+import simpleray.image.png.PngWriter;
 import simpleray.scene.PictureScene;
 
 /** Pictures that prove how they were made. */
@@ -79,7 +78,7 @@ class VerifyCommandTest {
     }
 
     private static Picture pixels(Path png) throws IOException {
-        try (PngRows rows = new PngRows(new ByteArrayInputStream(Files.readAllBytes(png)), "a.png")) {
+        try (PngReader rows = PngReader.open(png.toString())) {
             Picture picture = new Picture(rows.width(), rows.height());
             for (int y = 0; y < rows.height(); y++) {
                 byte[] levels = rows.next();

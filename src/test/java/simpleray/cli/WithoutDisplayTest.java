@@ -61,6 +61,19 @@ class WithoutDisplayTest {
         assertThat(windowClasses(ExitCode.NO_DISPLAY, "view")).contains("java.awt.GraphicsEnvironment");
     }
 
+    /** ImageIO reads pictures for it, and takes no notice of a display, even where there seems to be one. */
+    @Test
+    void picturesAreComparedWhereNoDisplayAnswers() throws IOException, InterruptedException {
+        assertThat(Program.run(folder, "render", "wall.scene", "-o", "wall.png", "-q").err()).isEmpty();
+        ProcessBuilder compare = Program.program(folder, List.of(), "compare", "wall.png", "wall.png");
+        compare.environment().put("DISPLAY", ":999");
+
+        Program.Result result = Program.finish(compare.start(), new byte[0]);
+
+        assertThat(result.err()).isEmpty();
+        assertThat(result.exitCode()).isEqualTo(ExitCode.DONE);
+    }
+
     /** {@return the classes for windows and pictures that a command line loads} */
     private List<String> windowClasses(int exitCode, String line) throws IOException, InterruptedException {
         Program.Result result = Program.finish(

@@ -3,9 +3,6 @@ package simpleray.image;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import java.io.ByteArrayInputStream;
-import java.io.ByteArrayOutputStream;
-import java.io.IOException;
 import java.util.Arrays;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
@@ -135,33 +132,5 @@ class PictureDiffTest {
 
     private static double luma(byte[] row, int x) {
         return 0.299 * (row[3 * x] & 0xFF) + 0.587 * (row[3 * x + 1] & 0xFF) + 0.114 * (row[3 * x + 2] & 0xFF);
-    }
-
-    @Test
-    void theHeatMapIsBlackWithoutDifferenceAndGoesFromBlueOverRedToYellow() throws IOException {
-        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-        HeatMap map = new HeatMap(4, 1, bytes);
-        map.row(0, new int[] {0, 1, 16, 255});                // 16 is nearly the root of 255
-        map.end();
-
-        try (PngRows rows = new PngRows(new ByteArrayInputStream(bytes.toByteArray()), "map")) {
-            assertThat(rows.next()).isEqualTo(row(0, 0, 0, 0, 0, 255, 255, 0, 0, 255, 255, 0));
-        }
-    }
-
-    @Test
-    void aCheckFindsTheFirstPixelThatDiffersInWhateverOrderTheRowsCome() throws IOException {
-        byte[] file = Pictures.png(Pictures.plain(3, 4, 0.5));
-        Picture picture = Pictures.plain(3, 4, 0.5);
-        picture.setRow(2, new double[] {0.5, 0.5, 0.5, 0.5, 1, 0.5, 0.5, 0.5, 0.5});
-        picture.setRow(3, new double[9]);
-        RowsCheck check = new RowsCheck(picture, new PngRows(new ByteArrayInputStream(file), "a.png"));
-
-        for (int y : new int[] {3, 1, 0, 2}) {
-            check.row(y);
-        }
-
-        assertThat(check.different()).isEqualTo(4);
-        assertThat(check.first()).isEqualTo(new RowsCheck.Pixel(1, 2, "128,128,128", "128,255,128"));
     }
 }

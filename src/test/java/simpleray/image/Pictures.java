@@ -7,14 +7,15 @@ import java.io.IOException;
 import java.util.Arrays;
 import java.util.Random;
 import javax.imageio.ImageIO;
+import simpleray.image.png.PngWriter;
 
 /** Pictures to be written, and a look at what was written. */
-final class Pictures {
+public final class Pictures {
     private Pictures() {
     }
 
     /** {@return a picture of random levels, which no compression makes smaller} */
-    static Picture noise(int width, int height, long seed) {
+    public static Picture noise(int width, int height, long seed) {
         Random random = new Random(seed);
         Picture picture = new Picture(width, height);
         for (int y = 0; y < height; y++) {
@@ -24,7 +25,7 @@ final class Pictures {
     }
 
     /** {@return a picture of one colour} */
-    static Picture plain(int width, int height, double light) {
+    public static Picture plain(int width, int height, double light) {
         Picture picture = new Picture(width, height);
         for (int y = 0; y < height; y++) {
             double[] row = new double[3 * width];
@@ -35,14 +36,14 @@ final class Pictures {
     }
 
     /** {@return the picture as PNG} */
-    static byte[] png(Picture picture) throws IOException {
+    public static byte[] png(Picture picture) throws IOException {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         PngWriter.write(picture, bytes);
         return bytes.toByteArray();
     }
 
     /** {@return the levels of each pixel of an image file, row after row} */
-    static int[][] decoded(byte[] file) throws IOException {
+    public static int[][] decoded(byte[] file) throws IOException {
         BufferedImage image = ImageIO.read(new ByteArrayInputStream(file));
         int[][] rows = new int[image.getHeight()][];
         for (int y = 0; y < rows.length; y++) {
@@ -52,7 +53,7 @@ final class Pictures {
     }
 
     /** {@return the levels that the picture's file should have} */
-    static int[][] expected(Picture picture) {
+    public static int[][] expected(Picture picture) {
         int[][] rows = new int[picture.height()][];
         for (int y = 0; y < rows.length; y++) {
             byte[] levels = picture.levels(y);

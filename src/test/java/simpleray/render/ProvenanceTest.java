@@ -16,14 +16,14 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import simpleray.Project;
 import simpleray.image.Picture;
-import simpleray.image.PngWriter;
+import simpleray.image.PictureText;
+import simpleray.image.png.PictureFormatException;
+import simpleray.image.png.PngWriter;
 import simpleray.scene.PictureScene;
 import simpleray.scene.Scene;
 import simpleray.scene.SceneFile;
 import simpleray.scene.SceneSettings;
 import simpleray.scene.SceneSettings.Resolution;
-import simpleray.text.PictureFormatException;
-import simpleray.text.PngText;
 
 class ProvenanceTest {
     private static final String GREY = "1  1 0 0 1 -2  1 1 1  0 0 0  0 0 0  1   0.5 0.5 0.5  0\n";
@@ -35,11 +35,11 @@ class ProvenanceTest {
         return SceneFile.read(new ByteArrayInputStream(text.getBytes(StandardCharsets.UTF_8)));
     }
 
-    private static String text(List<PngText> texts, String keyword) {
+    private static String text(List<PictureText> texts, String keyword) {
         return texts.stream().filter(text -> text.keyword().equals(keyword)).findFirst().orElseThrow().string();
     }
 
-    private PictureScene told(List<PngText> texts) throws IOException {
+    private PictureScene told(List<PictureText> texts) throws IOException {
         Picture picture = new Picture(1, 1);
         picture.setRow(0, new double[3]);
         picture.tell(texts);
@@ -61,9 +61,9 @@ class ProvenanceTest {
         SceneFile file = scene(GREY);
         request.renderer(file.scene());
 
-        List<PngText> texts = Provenance.of(request, file);
+        List<PictureText> texts = Provenance.of(request, file);
 
-        assertThat(texts).extracting(PngText::keyword).containsExactly("Software", "simpleray.options", "simpleray.sha256",
+        assertThat(texts).extracting(PictureText::keyword).containsExactly("Software", "simpleray.options", "simpleray.sha256",
             "simpleray.scene");
         assertThat(text(texts, "Software")).isEqualTo("SimpleRay 0.1.0");
         assertThat(text(texts, "simpleray.options")).isEqualTo("stage final\nresolution 200 200\ndepth 10\nsamples 1\n");
@@ -117,7 +117,7 @@ class ProvenanceTest {
         SceneFile file = scene(GREY);
         request.renderer(file.scene());
 
-        List<PngText> texts = Provenance.of(request, file);
+        List<PictureText> texts = Provenance.of(request, file);
 
         assertThat(text(texts, "simpleray.options")).isEqualTo("stage final\nregion 3,0,7,20\nresolution 200 200\ndepth 10\nsamples 1\n");
         assertThat(Provenance.request(told(texts), Accel.AUTO, 1).region()).isEqualTo(region);

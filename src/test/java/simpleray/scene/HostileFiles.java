@@ -7,7 +7,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import simpleray.Project;
-import simpleray.text.PictureFormatException;
+import simpleray.image.png.PictureFormatException;
 import simpleray.text.Problem;
 import simpleray.text.SceneFormatException;
 

@@ -15,11 +15,11 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import simpleray.image.Picture;
-import simpleray.image.PngWriter;
+import simpleray.image.PictureText;
+import simpleray.image.png.PictureFormatException;
+import simpleray.image.png.PngWriter;
 import simpleray.io.Sha256;
 import simpleray.scene.SourceText.MeshFile;
-import simpleray.text.PictureFormatException;
-import simpleray.text.PngText;
 import simpleray.text.Problem;
 import simpleray.text.SceneFormatException;
 
@@ -36,7 +36,7 @@ class PictureSceneTest {
         file = folder.resolve("a.png");
     }
 
-    private void write(List<PngText> texts) throws IOException {
+    private void write(List<PictureText> texts) throws IOException {
         Picture picture = new Picture(1, 1);
         picture.setRow(0, new double[3]);
         picture.tell(texts);
@@ -129,7 +129,7 @@ class PictureSceneTest {
     @Test
     void eachOfTheTextsIsNeeded() throws IOException {
         for (int i = 0; i < 3; i++) {
-            List<PngText> texts = new ArrayList<>(PictureScene.texts("SimpleRay 1", "stage final\n", TEXT));
+            List<PictureText> texts = new ArrayList<>(PictureScene.texts("SimpleRay 1", "stage final\n", TEXT));
             texts.remove(i);
             write(texts);
             assertFault("carries no scene: it is not of SimpleRay, or another program has written it anew", () -> PictureScene.read(file));
@@ -138,9 +138,9 @@ class PictureSceneTest {
 
     @Test
     void damagedTextsAreErrors() throws IOException {
-        List<PngText> texts = new ArrayList<>(PictureScene.texts("SimpleRay 1", "stage final\n", TEXT));
+        List<PictureText> texts = new ArrayList<>(PictureScene.texts("SimpleRay 1", "stage final\n", TEXT));
         for (String sums : List.of("", "abc  dark.scene", "0".repeat(64) + "  ", "0".repeat(65) + " a")) {
-            texts.set(2, new PngText("simpleray.sha256", sums));
+            texts.set(2, new PictureText("simpleray.sha256", sums));
             write(texts);
             assertFault(sums.isEmpty() ? "carries no digest of its scene"
                 : "carries a digest that cannot be read: " + Problem.quoted(sums), () -> PictureScene.read(file));

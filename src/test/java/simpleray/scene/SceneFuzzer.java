@@ -8,7 +8,7 @@ import java.net.URISyntaxException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.stream.Stream;
-import simpleray.text.PictureFormatException;
+import simpleray.image.png.PictureFormatException;
 import simpleray.text.Problem;
 import simpleray.text.SceneFormatException;
 

@@ -1,4 +1,4 @@
-package simpleray.text;
+package simpleray.image.png;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
@@ -16,6 +16,7 @@ import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import simpleray.image.PictureText;
 
 /** The texts of PNG files, good ones and hostile ones. */
 class PngTextReaderTest {
@@ -69,13 +70,13 @@ class PngTextReaderTest {
 
         assertThat(texts).containsOnlyKeys("key", "other");
         assertThat(texts.get("key")).isEqualTo(bytes("hello"));
-        assertThat(new PngText("other", texts.get("other")).string()).isEqualTo("\u00E4");
+        assertThat(new PictureText("other", texts.get("other")).string()).isEqualTo("\u00E4");
         assertThat(read(file("iTXt", packed(bytes("hello")), "IEND", new byte[0])).get("key")).isEqualTo(bytes("hello"));
     }
 
     @Test
     void aLongCompressedTextComesBack() throws IOException {
-        byte[] text = new byte[PngText.LONGEST];
+        byte[] text = new byte[PictureText.LONGEST];
         for (int i = 0; i < text.length; i++) {
             text[i] = (byte) (i * i >> 7);
         }
@@ -91,7 +92,7 @@ class PngTextReaderTest {
     @Test
     void aBombIsNotUnpacked() {
         assertFault("carries a text that is too long: more than 4194304 bytes",
-            () -> read(file("iTXt", packed(new byte[PngText.LONGEST + 1]), "IEND", new byte[0])));
+            () -> read(file("iTXt", packed(new byte[PictureText.LONGEST + 1]), "IEND", new byte[0])));
     }
 
     @Test

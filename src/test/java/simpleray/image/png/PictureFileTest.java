@@ -1,4 +1,4 @@
-package simpleray.image;
+package simpleray.image.png;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
@@ -12,6 +12,8 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import simpleray.image.Picture;
+import simpleray.image.Pictures;
 import simpleray.io.FileInUseException;
 
 class PictureFileTest {

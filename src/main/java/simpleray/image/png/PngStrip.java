@@ -1,8 +1,9 @@
-package simpleray.image;
+package simpleray.image.png;
 
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.zip.Adler32;
 import java.util.zip.Deflater;
+import simpleray.image.Picture;
 
 /**
  * Some neighbouring rows of a picture on their way into a PNG file. They are filtered and compressed without a look at any other strip:

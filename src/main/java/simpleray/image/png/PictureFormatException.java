@@ -1,4 +1,4 @@
-package simpleray.text;
+package simpleray.image.png;
 
 import java.io.IOException;
 

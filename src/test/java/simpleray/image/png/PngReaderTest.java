@@ -1,33 +1,48 @@
-package simpleray.image;
+package simpleray.image.png;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import java.awt.Transparency;
+import java.awt.color.ColorSpace;
 import java.awt.image.BufferedImage;
+import java.awt.image.ColorModel;
+import java.awt.image.ComponentColorModel;
+import java.awt.image.DataBuffer;
 import java.awt.image.IndexColorModel;
+import java.awt.image.Raster;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
-import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Random;
+import java.util.concurrent.CompletableFuture;
 import javax.imageio.IIOImage;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageWriteParam;
 import javax.imageio.ImageWriter;
 import javax.imageio.stream.ImageOutputStream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import simpleray.text.PictureFormatException;
+import simpleray.image.Picture;
+import simpleray.image.Pictures;
 
 /** Files of our own and of another writer, which uses all filters. */
-class PngRowsTest {
+class PngReaderTest {
     private static final long SEED = 8;
 
+    @TempDir
+    Path folder;
+
     private static byte[][] read(byte[] file) throws IOException {
-        try (PngRows rows = new PngRows(new ByteArrayInputStream(file), "a.png")) {
+        try (PngReader rows = PngReader.open(new ByteArrayInputStream(file), "a.png")) {
             byte[][] all = new byte[rows.height()][];
             for (int y = 0; y < all.length; y++) {
                 all[y] = rows.next();
@@ -123,12 +138,90 @@ class PngRowsTest {
         return bytes.toByteArray();
     }
 
-    @Test
-    void anInterlacedFileIsRefused() throws IOException {
-        byte[] file = written(new BufferedImage(9, 9, BufferedImage.TYPE_INT_RGB), true);
+    @ParameterizedTest
+    @ValueSource(ints = {BufferedImage.TYPE_INT_RGB, BufferedImage.TYPE_BYTE_GRAY, BufferedImage.TYPE_USHORT_GRAY,
+        BufferedImage.TYPE_BYTE_INDEXED})
+    void interlacedFilesComeBack(int type) throws IOException {
+        BufferedImage image = new BufferedImage(19, 21, type);
+        draw(image);
 
-        assertThatThrownBy(() -> read(file)).isInstanceOf(PictureFormatException.class)
-            .hasMessage("a.png: is an interlaced PNG, which is not read here");
+        assertSamples(image, read(written(image, true)));
+    }
+
+    /** The upper 8 of 16 bits. */
+    @Test
+    void coloursOf16BitsComeBack() throws IOException {
+        ColorModel model = new ComponentColorModel(ColorSpace.getInstance(ColorSpace.CS_sRGB), false, false, Transparency.OPAQUE,
+            DataBuffer.TYPE_USHORT);
+        BufferedImage image = new BufferedImage(model, Raster.createInterleavedRaster(DataBuffer.TYPE_USHORT, 11, 5, 3, null), false, null);
+        draw(image);
+
+        assertSamples(image, read(written(image, false)));
+        assertSamples(image, read(written(image, true)));
+    }
+
+    /** What does not fit into memory is read in strips. */
+    @Test
+    void aStripIsReadBehindTheOther() throws IOException {
+        Picture picture = Pictures.noise(40, 50, SEED);
+        try (PngReader rows = PngReader.open(new ByteArrayInputStream(Pictures.png(picture)), "a.png", 7)) {
+            for (int y = 0; y < 50; y++) {
+                assertThat(rows.next()).as("row " + y).isEqualTo(picture.levels(y));
+            }
+        }
+    }
+
+    @Test
+    void aPipeIsRead() throws Exception {
+        assumeTrue(Files.isExecutable(Path.of("/usr/bin/mkfifo")), "no mkfifo here");
+        Path pipe = folder.resolve("pipe");
+        assertThat(new ProcessBuilder("/usr/bin/mkfifo", pipe.toString()).start().waitFor()).isZero();
+        byte[] file = Pictures.png(Pictures.plain(2, 1, 1));
+        CompletableFuture<Void> written = CompletableFuture.runAsync(() -> write(pipe, file));
+
+        try (PngReader rows = PngReader.open(pipe.toString())) {
+            assertThat(rows.next()).containsOnly(-1);
+        }
+        written.get();
+    }
+
+    private static void write(Path path, byte[] file) {
+        try {
+            Files.write(path, file);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    /** Sums that are right do not make right data. */
+    @Test
+    void dataThatCannotBeUnpackedIsAnError() throws IOException {
+        ByteArrayOutputStream file = new ByteArrayOutputStream();
+        file.write(PngChunks.signature());
+        chunk("IHDR", 0, 0, 0, 3, 0, 0, 0, 2, 8, 2, 0, 0, 0).writeTo(file);
+        chunk("IDAT", 1, 2, 3, 4).writeTo(file);
+        chunk("IEND").writeTo(file);
+
+        assertThatThrownBy(() -> read(file.toByteArray())).isInstanceOf(PictureFormatException.class)
+            .hasMessage("a.png: is damaged: its pixels cannot be read from row 0 on");
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0, 2", "65536, 2", "-1, 2"})
+    void sizesOfNoPictureAreAnError(int width, int height) throws IOException {
+        ByteArrayOutputStream file = new ByteArrayOutputStream();
+        file.write(PngChunks.signature());
+        chunk("IHDR", width >> 24, width >> 16, width >> 8, width, 0, 0, 0, height, 8, 2, 0, 0, 0).writeTo(file);
+        chunk("IDAT", 1, 2, 3, 4).writeTo(file);
+        chunk("IEND").writeTo(file);
+
+        assertThatThrownBy(() -> read(file.toByteArray())).isInstanceOf(PictureFormatException.class).hasMessageStartingWith("a.png: is ");
+    }
+
+    private static PngChunk chunk(String name, int... data) {
+        PngChunk chunk = new PngChunk(name, data.length + 1);
+        chunk.put(data);
+        return chunk.finished();
     }
 
     @Test
@@ -150,18 +243,5 @@ class PngRowsTest {
             assertThatThrownBy(() -> read(wrong)).as("bit " + bit).isInstanceOf(PictureFormatException.class)
                 .hasMessageStartingWith("a.png: ");
         }
-    }
-
-    @Test
-    void closingClosesTheFile() throws IOException {
-        boolean[] closed = new boolean[1];
-        InputStream in = new ByteArrayInputStream(Pictures.png(Pictures.plain(1, 1, 0))) {
-            @Override
-            public void close() {
-                closed[0] = true;
-            }
-        };
-        new PngRows(in, "a.png").close();
-        assertThat(closed).containsExactly(true);
     }
 }

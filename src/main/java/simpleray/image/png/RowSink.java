@@ -1,4 +1,4 @@
-package simpleray.image;
+package simpleray.image.png;
 
 /** Takes the rows of a picture as they stand in its file. Any thread may call. */
 @FunctionalInterface

@@ -1,4 +1,4 @@
-package simpleray.image;
+package simpleray.image.png;
 
 /** The checksum of a zlib stream, Adler-32 (RFC 1950, section 8.2), put together from those of its pieces. <em>Mutable.</em> */
 final class Adler {

@@ -1,9 +1,10 @@
-package simpleray.image;
+package simpleray.image.png;
 
 import java.io.IOException;
 import java.util.Arrays;
 import java.util.HashMap;
 import java.util.Map;
+import simpleray.image.Picture;
 
 /**
  * Compares a picture with that of a file while its rows are finished, in any order and by any threads. Only rows that wait for one above
@@ -11,7 +12,7 @@ import java.util.Map;
  */
 public final class RowsCheck {
     private final Picture picture;
-    private final PngRows file;
+    private final PngReader file;
     private final Map<Integer, byte[]> waiting = new HashMap<>();
     private int next;
     private long different;
@@ -34,7 +35,7 @@ public final class RowsCheck {
      * @param picture the picture, whose rows may still be missing
      * @param file another of that size
      */
-    public RowsCheck(Picture picture, PngRows file) {
+    public RowsCheck(Picture picture, PngReader file) {
         this.picture = picture;
         this.file = file;
     }

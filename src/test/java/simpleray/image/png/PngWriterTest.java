@@ -1,4 +1,4 @@
-package simpleray.image;
+package simpleray.image.png;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
@@ -17,6 +17,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import simpleray.image.Picture;
+import simpleray.image.Pictures;
 
 class PngWriterTest {
     private static final long SEED = 2010;

@@ -1,4 +1,4 @@
-package simpleray.image;
+package simpleray.image.png;
 
 import java.io.IOException;
 import java.io.OutputStream;
@@ -7,7 +7,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.zip.CRC32;
 import java.util.zip.Deflater;
-import simpleray.text.PngText;
+import simpleray.image.PictureText;
 
 /** A chunk of a PNG file in the making: the length of its data, its name, its data and a checksum. <em>Mutable.</em> */
 final class PngChunk {
@@ -44,9 +44,9 @@ final class PngChunk {
     }
 
     /** {@return the chunk of a text} */
-    static PngChunk of(PngText text) {
+    static PngChunk of(PictureText text) {
         byte[] keyword = text.keyword().getBytes(StandardCharsets.US_ASCII);
-        PngChunk chunk = new PngChunk(PngText.CHUNK, keyword.length + NO_LANGUAGE + text.text().length);
+        PngChunk chunk = new PngChunk(PngChunks.TEXT, keyword.length + NO_LANGUAGE + text.text().length);
         chunk.put(keyword);
         chunk.put(0, 0, 0, 0, 0);                             // not packed, in no language, and the keyword in none
         chunk.put(text.text());

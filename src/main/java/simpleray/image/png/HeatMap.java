@@ -1,7 +1,8 @@
-package simpleray.image;
+package simpleray.image.png;
 
 import java.io.IOException;
 import java.io.OutputStream;
+import simpleray.image.Picture;
 
 /**
  * A picture of differences: black where there is none, and from blue for 1 level over red to yellow for 255, by the logarithm, so that

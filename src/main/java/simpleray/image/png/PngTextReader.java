@@ -1,4 +1,4 @@
-package simpleray.text;
+package simpleray.image.png;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -7,6 +7,7 @@ import java.util.HashMap;
 import java.util.Map;
 import java.util.zip.DataFormatException;
 import java.util.zip.Inflater;
+import simpleray.image.PictureText;
 
 /** Reads the texts that a PNG file carries. */
 public final class PngTextReader {
@@ -27,8 +28,8 @@ public final class PngTextReader {
     public static Map<String, byte[]> read(PngChunks chunks) throws IOException {
         Map<String, byte[]> texts = new HashMap<>();
         for (String name = chunks.next(); name != null; name = chunks.next()) {
-            if (name.equals(PngText.CHUNK)) {
-                read(chunks, chunks.rest(PngText.LONGEST + HEAD), texts);
+            if (name.equals(PngChunks.TEXT)) {
+                read(chunks, chunks.rest(PictureText.LONGEST + HEAD), texts);
             }
         }
         return texts;
@@ -61,16 +62,16 @@ public final class PngTextReader {
         Inflater inflater = new Inflater();
         try {
             inflater.setInput(packed);
-            byte[] text = new byte[Math.min(PngText.LONGEST + 1, 4 * packed.length + HEAD)];
+            byte[] text = new byte[Math.min(PictureText.LONGEST + 1, 4 * packed.length + HEAD)];
             int at = 0;
             while (!inflater.finished()) {
                 int some = inflater.inflate(text, at, text.length - at);
                 at += some;
-                if (at > PngText.LONGEST) {
-                    throw chunks.fault("carries a text that is too long: more than " + PngText.LONGEST + " bytes");
+                if (at > PictureText.LONGEST) {
+                    throw chunks.fault("carries a text that is too long: more than " + PictureText.LONGEST + " bytes");
                 }
                 if (at == text.length) {
-                    text = Arrays.copyOf(text, Math.min(PngText.LONGEST + 1, 2 * at));
+                    text = Arrays.copyOf(text, Math.min(PictureText.LONGEST + 1, 2 * at));
                 } else if (some == 0 && !inflater.finished()) {
                     throw damaged(chunks);
                 }

@@ -1,4 +1,4 @@
-package simpleray.image;
+package simpleray.image.png;
 
 import static org.assertj.core.api.Assertions.assertThat;
 

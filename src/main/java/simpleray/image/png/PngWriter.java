@@ -1,11 +1,11 @@
-package simpleray.image;
+package simpleray.image.png;
 
 import java.io.IOException;
 import java.io.OutputStream;
 import java.util.HashMap;
 import java.util.Map;
-import simpleray.text.PngChunks;
-import simpleray.text.PngText;
+import simpleray.image.Picture;
+import simpleray.image.PictureText;
 
 /**
  * Writes a picture as PNG while its rows are finished, in any order and by any threads: RGB, 8 bits each (W3C, "Portable Network Graphics
@@ -139,7 +139,7 @@ public final class PngWriter {
         header.putInt(picture.height());
         header.put(FORMAT);
         header.finished().writeTo(out);
-        for (PngText text : picture.texts()) {
+        for (PictureText text : picture.texts()) {
             PngChunk.of(text).writeTo(out);
         }
     }

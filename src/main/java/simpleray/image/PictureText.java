@@ -1,16 +1,14 @@
-package simpleray.text;
+package simpleray.image;
 
 import java.nio.charset.StandardCharsets;
 
 /**
- * A text that a PNG file carries in a chunk iTXt. <em>Constant.</em>
+ * A text that a picture's file carries. <em>Constant.</em>
  *
  * @param keyword what it is: 1 to 79 printable ASCII characters
  * @param text the text, UTF-8; referenced, and not to be changed
  */
-public record PngText(String keyword, byte[] text) {
-    /** The name of the chunk. */
-    public static final String CHUNK = "iTXt";
+public record PictureText(String keyword, byte[] text) {
     /** The longest text that is read or written: libpng refuses chunks of 8 MB, and others texts that unpack to more than one. */
     public static final int LONGEST = 4 << 20;
 
@@ -20,7 +18,7 @@ public record PngText(String keyword, byte[] text) {
      * @param keyword what it is
      * @param text the text
      */
-    public PngText(String keyword, String text) {
+    public PictureText(String keyword, String text) {
         this(keyword, text.getBytes(StandardCharsets.UTF_8));
     }
 

@@ -1,8 +1,9 @@
-package simpleray.image;
+package simpleray.image.png;
 
 import java.io.Closeable;
 import java.io.IOException;
 import java.nio.file.Path;
+import simpleray.image.Picture;
 import simpleray.io.AtomicFile;
 
 /** A picture file in the making: an {@link AtomicFile} in PNG. */

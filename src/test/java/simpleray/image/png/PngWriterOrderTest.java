@@ -1,4 +1,4 @@
-package simpleray.image;
+package simpleray.image.png;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
@@ -19,6 +19,8 @@ import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import simpleray.image.Picture;
+import simpleray.image.Pictures;
 
 /** A picture that is written while it is rendered: strips of 16 rows, here six and a piece. */
 class PngWriterOrderTest {

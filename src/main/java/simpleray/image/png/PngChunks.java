@@ -1,4 +1,4 @@
-package simpleray.text;
+package simpleray.image.png;
 
 import java.io.IOException;
 import java.io.InputStream;
@@ -14,6 +14,8 @@ import java.util.zip.CRC32;
 public final class PngChunks {
     /** The bytes with which each file begins; none of UTF-8 begins like them. */
     private static final byte[] SIGNATURE = {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
+    /** The chunk of a text. */
+    static final String TEXT = "iTXt";
     private static final String LAST = "IEND";
     private static final int NAME = 4;
     private static final int BUFFER = 1 << 16;
@@ -84,7 +86,7 @@ public final class PngChunks {
      * @return its name; null behind the last one
      * @throws PictureFormatException if the file is damaged
      */
-    public String next() throws IOException {
+    String next() throws IOException {
         if (ended) {
             return null;
         }
@@ -115,11 +117,6 @@ public final class PngChunks {
         return name;
     }
 
-    /** {@return how much of the chunk's data was not read yet} */
-    public long left() {
-        return left;
-    }
-
     /**
      * Reads some of the chunk's data.
      *
@@ -129,7 +126,7 @@ public final class PngChunks {
      * @return how many; -1 at the chunk's end
      * @throws PictureFormatException if the file ends
      */
-    public int read(byte[] bytes, int from, int most) throws IOException {
+    int read(byte[] bytes, int from, int most) throws IOException {
         if (left <= 0) {
             return -1;
         }
@@ -149,7 +146,7 @@ public final class PngChunks {
      * @return its data
      * @throws PictureFormatException if it is more
      */
-    public byte[] rest(int most) throws IOException {
+    byte[] rest(int most) throws IOException {
         if (left > most) {
             throw fault("has a chunk " + name + " that is too long: " + left + " bytes of at most " + most);
         }
@@ -167,7 +164,7 @@ public final class PngChunks {
      * @param fault what it is
      * @return the exception to be thrown
      */
-    public PictureFormatException fault(String fault) {
+    PictureFormatException fault(String fault) {
         return new PictureFormatException(file, fault);
     }
 
