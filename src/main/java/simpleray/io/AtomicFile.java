@@ -125,7 +125,7 @@ public final class AtomicFile implements Closeable {
     }
 
     /** The streams stay open: who still writes finds no error, and is about to end. */
-    private static void removeBegun() {
+    static void removeBegun() {
         for (AtomicFile file : BEGUN) {
             try {
                 file.remove();

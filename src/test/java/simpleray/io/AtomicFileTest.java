@@ -115,6 +115,16 @@ class AtomicFileTest {
     }
 
     @Test
+    void whatIsBegunWhenTheProgramEndsIsRemoved() throws IOException {
+        try (AtomicFile file = new AtomicFile(target)) {
+            file.out().write(1);
+            AtomicFile.removeBegun();
+            assertThat(names()).isEmpty();
+        }
+        assertThat(names()).isEmpty();
+    }
+
+    @Test
     void aNameMayBeAsLongAsNamesMayBe() throws IOException {
         Path longest = target.resolveSibling("a".repeat(251) + ".png");
         try (AtomicFile file = new AtomicFile(longest)) {

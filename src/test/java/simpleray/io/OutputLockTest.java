@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -35,6 +36,32 @@ class OutputLockTest {
 
         new OutputLock(file, "a.png").close();
 
+        assertThat(folder).isEmptyDirectory();
+    }
+
+    @Test
+    void closingTwiceHarmsNobody() throws IOException {
+        OutputLock one = new OutputLock(file, "a.png");
+        one.close();
+        try (OutputLock other = new OutputLock(file, "a.png")) {
+            one.close();
+            assertThat(other.file()).exists();
+        }
+    }
+
+    @Test
+    void theFileNeedNotBeThereAndIsNamed() throws IOException {
+        Path target = folder.resolve("a.png");
+        try (OutputLock lock = OutputLock.of(target)) {
+            assertThat(lock.file()).exists();
+            assertThatThrownBy(() -> OutputLock.of(target)).isInstanceOf(FileInUseException.class).hasMessageStartingWith(target + ": ");
+        }
+        assertThat(folder).isEmptyDirectory();
+    }
+
+    @Test
+    void aNameThatNoFileCanHaveIsNotLocked() {
+        assertThatThrownBy(() -> OutputLock.of(folder.resolve("a".repeat(300)))).isInstanceOf(FileSystemException.class);
         assertThat(folder).isEmptyDirectory();
     }
 

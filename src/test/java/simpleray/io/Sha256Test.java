@@ -3,6 +3,7 @@ package simpleray.io;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.charset.StandardCharsets;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
@@ -14,5 +15,12 @@ class Sha256Test {
         "abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq, 248d6a61d20638b8e5c026930c3e6039a33ce45964ff2167f6ecedd419db06c1"})
     void theExamplesOfTheStandardHold(String text, String digest) {
         assertThat(Sha256.of(text.getBytes(StandardCharsets.US_ASCII))).isEqualTo(digest);
+    }
+
+    @Test
+    void loadingItEarlyChangesNothing() {
+        Sha256.preload();
+
+        assertThat(Sha256.of(new byte[0])).startsWith("e3b0c44298fc1c14");
     }
 }
