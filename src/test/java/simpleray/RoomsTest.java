@@ -32,7 +32,7 @@ class RoomsTest {
     private static final Map<String, Integer> FLOORS = new TreeMap<>(Map.ofEntries(entry("simpleray.io", 0), entry("simpleray.text", 0),
         entry("simpleray.math", 1), entry("simpleray.image", 1), entry("simpleray.image.png", 2), entry("simpleray.accel", 2),
         entry("simpleray.scene", 3), entry("simpleray.trace", 4), entry("simpleray.pov", 4),
-       entry("simpleray.render", 5), entry("simpleray.ui", 6),
+        entry("simpleray.render", 5), entry("simpleray.ui", 6),
         entry("simpleray.cli", 7)));
     private static final String SCENE = "simpleray.scene";
     private static final String UI = "simpleray.ui";
