@@ -37,6 +37,7 @@ class RoomsTest {
     private static final String SCENE = "simpleray.scene";
     private static final String UI = "simpleray.ui";
     private static final String CLI = "simpleray.cli";
+    private static final String IMAGE = "simpleray.image";
     private static final String PNG = "simpleray.image.png";
     private static final JavaClasses PROGRAM =
         new ClassFileImporter().importUrl(Main.class.getProtectionDomain().getCodeSource().getLocation());
@@ -80,10 +81,10 @@ class RoomsTest {
 
     @Test
     void onlyTheWindowKnowsSwing() {
-        noClasses().that().resideOutsideOfPackages(UI, PNG).should().dependOnClassesThat()
+        noClasses().that().resideOutsideOfPackages(UI, IMAGE, PNG).should().dependOnClassesThat()
             .resideInAnyPackage("java.awt..", "javax.swing..", "javax.accessibility..", "javax.imageio..", "com.formdev..",
                 "org.fife..").check(PROGRAM);
-        noClasses().that().resideInAPackage(PNG).should().dependOnClassesThat(
+        noClasses().that().resideInAnyPackage(IMAGE, PNG).should().dependOnClassesThat(
             resideInAnyPackage("java.awt..", "javax.swing..", "javax.accessibility..", "com.formdev..", "org.fife..")
                 .and(not(resideInAPackage("java.awt.image.."))).and(not(type(Rectangle.class)))).check(PROGRAM);
     }

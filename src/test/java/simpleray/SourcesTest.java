@@ -37,11 +37,11 @@ class SourcesTest {
         assertThat(MAIN).extracting(SourceFile::className).filteredOn(name -> !name.equals("package-info")).doesNotHaveDuplicates();
     }
 
-    /** The tables of docs/architecture.md from "Where is what" on: questions and terms, each with its classes. */
+    /** The tables of docs/architecture.md under "Where is what" and "One tracer": questions and terms, each with its classes. */
     @Test
     void theGlossaryNamesClassesThatExist() throws IOException {
         String page = Files.readString(Project.root().resolve("docs/architecture.md"));
-        Set<String> named = Pattern.compile("(?m)^\\|.*").matcher(page.substring(page.indexOf("### Where is what"))).results()
+        Set<String> named = Pattern.compile("(?m)^\\|.*").matcher(page.substring(page.indexOf("## Where is what"), page.indexOf("## One run"))).results()
             .flatMap(row -> Pattern.compile("`([A-Z]\\w*)").matcher(row.group()).results()).map(name -> name.group(1))
             .collect(Collectors.toSet());
 
