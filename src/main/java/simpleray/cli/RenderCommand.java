@@ -5,6 +5,7 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
@@ -16,6 +17,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.ParentCommand;
 import simpleray.image.Picture;
+import simpleray.image.PictureText;
 import simpleray.image.png.PngWriter;
 import simpleray.io.AtomicFile;
 import simpleray.render.PictureIdentity;
@@ -116,7 +118,12 @@ final class RenderCommand implements PlainCommand {
         readSeconds = Progress.seconds(begin, System.nanoTime());
         Renderer renderer = renderer(request, read.scene());
         Picture asked = renderer.picture();
-        asked.tell(Provenance.of(request, read));
+        asked.tell(new Supplier<List<PictureText>>() {            // later: the digest of the scene takes a while to load
+            @Override
+            public List<PictureText> get() {
+                return Provenance.of(request, read);
+            }
+        });
         HeapCheck.require("a picture of " + asked.width() + 'x' + asked.height(),
             renderer.bytesNeeded() + PngWriter.bytesNeeded(asked.width(), renderer.rowsAhead()));
         Supplier<Map<String, String>> identity = new Supplier<>() {

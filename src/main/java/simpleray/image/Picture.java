@@ -3,6 +3,7 @@ package simpleray.image;
 import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicReferenceArray;
+import java.util.function.Supplier;
 
 /**
  * A picture: rows of linear RGB, not clamped, the top row first. <em>Mutable</em>: each row is set once, by any thread, and a row
@@ -20,6 +21,7 @@ public final class Picture {
     private final int height;
     private final AtomicReferenceArray<double[]> rows;
     private volatile List<PictureText> texts = List.of();
+    private volatile Supplier<List<PictureText>> textsLater;    // null if they are known
 
     /**
      * Creates a picture without rows.
@@ -61,9 +63,19 @@ public final class Picture {
         texts = List.copyOf(told);
     }
 
+    /**
+     * Says how to find what the picture's file is to carry beside the pixels.
+     *
+     * @param later makes the texts; asked, by any thread, when the file is begun
+     */
+    public void tell(Supplier<List<PictureText>> later) {
+        textsLater = later;
+    }
+
     /** {@return what the picture's file is to carry beside the pixels} */
     public List<PictureText> texts() {
-        return texts;
+        Supplier<List<PictureText>> later = textsLater;
+        return later == null ? texts : later.get();
     }
 
     /** {@return the height in pixels} */

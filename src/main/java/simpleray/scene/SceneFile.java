@@ -174,7 +174,9 @@ public record SceneFile(Scene scene, List<Problem> warnings, SourceText text) {
             }
         });
         String base = name.equals(STREAM) ? "stdin" : Path.of(name).getFileName().toString();
-        return new SceneFile(scene, reader.warnings(), new SourceText(base, in.sha256(), in.kept(), List.copyOf(meshes.read)));
+        byte[] kept = in.kept();
+        return new SceneFile(scene, reader.warnings(),
+            new SourceText(base, kept == null ? in.sha256() : null, kept, List.copyOf(meshes.read)));
     }
 
     /** Reads a scene of which a picture carries the text. */

@@ -1,16 +1,23 @@
 package simpleray.scene;
 
 import java.util.List;
+import simpleray.io.Sha256;
 
 /**
  * The text from which a scene was read. <em>Constant.</em>
  *
  * @param name the file's name, without its folder
- * @param sha256 the text's SHA-256, 64 hexadecimal digits
- * @param bytes the text, not to be changed; null if it is too long
+ * @param sha256 the text's SHA-256, 64 hexadecimal digits; null to have it computed of the bytes when it is asked for
+ * @param bytes the text, not to be changed; null if it is too long to be kept
  * @param meshes the files that it names
  */
 public record SourceText(String name, String sha256, byte[] bytes, List<MeshFile> meshes) {
+    /** {@return the text's SHA-256, 64 hexadecimal digits} */
+    @Override
+    public String sha256() {
+        return sha256 == null ? Sha256.of(bytes) : sha256;
+    }
+
     /**
      * A file that a scene names. <em>Constant.</em>
      *
