@@ -60,6 +60,18 @@ public final class Optics {
         return large ? liftLarge(point, normal, t) : 0;
     }
 
+    /**
+     * Computes by how much a shadow ray ends before the light, so that it misses the surface in which the light lies.
+     *
+     * @param point the origin of the ray
+     * @param distance the distance of the light; infinite for a directional one
+     * @return {@link Object#THRESHOLD}, or more where rounding errors are larger
+     */
+    public static double margin(Point point, double distance) {
+        double size = Math.max(Math.max(Math.abs(point.x), Math.abs(point.y)), Math.max(Math.abs(point.z), distance));
+        return size < Double.POSITIVE_INFINITY ? Math.max(Object.THRESHOLD, ROUNDINGS * size) : 0;
+    }
+
     private static double liftLarge(Point point, Vector normal, double t) {
         double size = Math.max(Math.max(Math.abs(point.x), Math.abs(point.y)), Math.max(Math.abs(point.z), t));
         if (!(size < Double.POSITIVE_INFINITY)) {

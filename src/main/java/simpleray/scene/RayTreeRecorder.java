@@ -137,7 +137,7 @@ public final class RayTreeRecorder implements Recorder {
             return List.of();
         }
         List<Between> between = new ArrayList<>();
-        for (int place : all.between(new Ray(point, towards), seen.distance)) {
+        for (int place : all.between(new Ray(point, towards), seen.end)) {
             between.add(new Between(object(scene, place), scene.getObject(place).surfaceMaterial.transmission));
         }
         return List.copyOf(between);

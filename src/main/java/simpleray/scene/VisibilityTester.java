@@ -10,6 +10,8 @@ public final class VisibilityTester {
     public final Vector towards = new Vector();
     /** The distance of the light; infinite for a directional one. */
     public double distance;
+    /** How far objects block the light: to just before it, so that a surface in which a lamp lies does not. */
+    public double end;
     /** The cosine N·L; 0 or less for a light behind the surface. */
     public double facing;
 
@@ -44,6 +46,7 @@ public final class VisibilityTester {
      */
     public boolean reaches(Light light, int number, Interaction at, Colour arriving) {
         distance = light.towards(at.point, towards);
+        end = distance - Optics.margin(at.point, distance);
         facing = at.normal.dot(towards);
         if (facing <= 0) {
             arriving.reset();
@@ -54,6 +57,6 @@ public final class VisibilityTester {
         }
         stats.shadow++;
         ray.origin = at.point;
-        return !intersector.occluded(ray, distance, number, arriving);
+        return !intersector.occluded(ray, end, number, arriving);
     }
 }
