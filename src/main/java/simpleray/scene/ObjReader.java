@@ -9,6 +9,8 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.security.DigestInputStream;
 import java.util.Arrays;
+import java.util.HashMap;
+import java.util.Map;
 import java.util.function.Consumer;
 import simpleray.io.Sha256;
 import simpleray.text.Found;
@@ -27,7 +29,9 @@ import simpleray.text.SceneFormatException;
  * vn x y z                           a normal, of any length
  * f  v/vt/vn v/vt/vn v/vt/vn ...     a polygon: indices of vertices, textures and normals; also v, v/vt and v//vn
  * </pre>
- * Numbers have the form of a scene file. An index counts from 1, or backwards from -1, the things above its line.
+ * Numbers have the form of a scene file. An index counts from 1, or backwards from -1, the things above its line. {@code fo} is an old word for
+ * {@code f}. What a picture does not need (a normal that is 0, not finite or not there; a polygon of fewer than three corners; a vertex that is not
+ * finite and that no polygon names) is passed over, with one warning of each kind (spec.md, section 5).
  *
  * <p>A file of a million triangles is read by code that the JVM has not compiled yet. Therefore the methods for common lines are small
  * and work on bytes; they leave any other line to methods that read it again as text, know all rules and report errors.
@@ -38,6 +42,8 @@ final class ObjReader {
     /** The most digits that always fit into an {@code int}. */
     private static final int MAX_DIGITS = 9;
     private static final int NONE = -1;
+    /** Not compiled, since few files have such a word. */
+    private static final String NOT_FINITE = "(?i)[+-]?(nan|inf|infinity)(\\(.*\\))?";
 
     private final LineReader lines;
     private final Numerals numerals = new Numerals();
@@ -57,9 +63,17 @@ final class ObjReader {
     private int[] corners = new int[MIN_CORNERS + 1];         // of the polygon: its vertices
     private int[] cornerNormals = new int[MIN_CORNERS + 1];   // and its normals, or NONE of each
     private int cornerCount;
+    private boolean lacksNormals;                             // it names one that is not there
     private final double[] cross = new double[3];
-    private int flatCount;
-    private Problem firstFlat;
+
+    private final PassedOver flat = new PassedOver("triangles that have an area", "without, which is skipped", "without, which are skipped");
+    private final PassedOver few = new PassedOver("polygons of at least 3 corners", "of fewer, which is skipped", "of fewer, which are skipped");
+    private final PassedOver aimless = new PassedOver("normals of finite length above 0", "that has none, which is passed over",
+        "that have none, which are passed over");
+    private final PassedOver bare = new PassedOver("polygons with normals at all corners or at none", "that lacks some, which is shaded flat",
+        "that lack some, which are shaded flat");
+    private Map<Integer, SceneFormatException> infinite = Map.of();     // of each vertex that is not finite, what is wrong with it
+    private Problem firstInfinite;
 
     private ObjReader(LineReader lines) {
         this.lines = lines;
@@ -101,8 +115,13 @@ final class ObjReader {
     /** Reads the text of an OBJ; messages call it by this name. */
     static Triangles read(InputStream in, String name, Consumer<Problem> warnings) throws IOException {
         ObjReader reader = new ObjReader(new LineReader(in, name));
-        while (reader.lines.read()) {
+        boolean more = reader.lines.read();
+        if (more && reader.lines.isUtf16()) {
+            throw reader.lines.error(reader.lines.begin, "text in UTF-8", "UTF-16");
+        }
+        while (more) {
             reader.readLine();
+            more = reader.lines.read();
         }
         return reader.triangles(warnings);
     }
@@ -121,6 +140,8 @@ final class ObjReader {
             } else if (first == 'f') {
                 readPolygon();
             }
+        } else if (at - keyword == 2 && first == 'f' && (bytes[keyword + 1] | ' ') == 'o') {
+            readPolygon();
         } else if (at - keyword == 2 && first == 'v' && (bytes[keyword + 1] | ' ') == 'n') {
             readNormal();
         }
@@ -145,18 +166,34 @@ final class ObjReader {
     private void readVertex() throws SceneFormatException {
         int i = 3 * vertexCount++;
         vertices = withRoom(vertices, i);
-        vertices[i] = readNumber("vertex ", vertexCount, 'x');
-        vertices[i + 1] = readNumber("vertex ", vertexCount, 'y');
-        vertices[i + 2] = readNumber("vertex ", vertexCount, 'z');
+        try {
+            vertices[i] = readNumber("vertex ", vertexCount, 'x');
+            vertices[i + 1] = readNumber("vertex ", vertexCount, 'y');
+            vertices[i + 2] = readNumber("vertex ", vertexCount, 'z');
+        } catch (NotFiniteException e) {
+            if (infinite.isEmpty()) {
+                infinite = new HashMap<>();
+                firstInfinite = lines.warning("");
+            }
+            infinite.put(vertexCount - 1, e.problem);
+        }
     }
 
     /** Reads a normal and scales it to unit length; zero stays zero. */
     private void readNormal() throws SceneFormatException {
         int i = 3 * normalCount++;
         normals = withRoom(normals, i);
-        double x = readNumber("normal ", normalCount, 'x');
-        double y = readNumber("normal ", normalCount, 'y');
-        double z = readNumber("normal ", normalCount, 'z');
+        double x = 0;
+        double y = 0;
+        double z = 0;
+        try {
+            x = readNumber("normal ", normalCount, 'x');
+            y = readNumber("normal ", normalCount, 'y');
+            z = readNumber("normal ", normalCount, 'z');
+        } catch (NotFiniteException e) {
+            x = 0;
+            y = 0;
+        }
         // an exact power of two, so that squares of small components do not underflow
         double unit = Math.scalb(1.0, -Math.getExponent(Math.max(Math.abs(x), Math.max(Math.abs(y), Math.abs(z)))));
         x *= unit;
@@ -164,12 +201,15 @@ final class ObjReader {
         z *= unit;
         double length = Math.sqrt(x * x + y * y + z * z);
         double scale = length > 0 ? 1 / length : 0;
+        if (scale == 0) {
+            aimless.add();
+        }
         normals[i] = x * scale;
         normals[i + 1] = y * scale;
         normals[i + 2] = z * scale;
     }
 
-    private double readNumber(String owner, int number, char axis) throws SceneFormatException {
+    private double readNumber(String owner, int number, char axis) throws SceneFormatException, NotFiniteException {
         skipBlanks();
         int word = at;
         double value = numerals.readDouble(bytes, word);
@@ -177,7 +217,7 @@ final class ObjReader {
         return Math.abs(value) <= Lengths.MAX ? value : readUnusualNumber(word, owner, number, axis);
     }
 
-    private double readUnusualNumber(int begin, String owner, int number, char axis) throws SceneFormatException {
+    private double readUnusualNumber(int begin, String owner, int number, char axis) throws SceneFormatException, NotFiniteException {
         at = begin;
         skipWord();
         String word = lines.text(begin, at);
@@ -186,16 +226,35 @@ final class ObjReader {
             return value;
         }
         String why = Double.isNaN(value) ? "" : " (beyond 1e100, the largest coordinate)";
-        throw lines.error(begin, owner + number + "'s " + axis, found(word) + why);
+        SceneFormatException problem = lines.error(begin, owner + number + "'s " + axis, found(word) + why);
+        if (word.matches(NOT_FINITE)) {
+            throw new NotFiniteException(problem);
+        }
+        throw problem;
     }
 
     private void readPolygon() throws SceneFormatException {
         polygonCount++;
         cornerCount = 0;
+        lacksNormals = false;
         skipBlanks();
-        while (at < end || cornerCount < MIN_CORNERS) {
+        while (at < end) {
             readCorner();
+            lacksNormals |= cornerNormals[cornerCount - 1] != NONE != (cornerNormals[0] != NONE);
             skipBlanks();
+        }
+        if (cornerCount < MIN_CORNERS) {
+            few.add();
+            return;
+        }
+        for (int i = 0; i < cornerCount && !infinite.isEmpty(); i++) {
+            if (infinite.containsKey(corners[i])) {
+                throw infinite.get(corners[i]);
+            }
+        }
+        if (lacksNormals) {
+            bare.add();
+            Arrays.fill(cornerNormals, 0, cornerCount, NONE);
         }
         if (cornerNormals[0] != NONE && triangleNormals == null) {
             triangleNormals = new int[triangles.length];
@@ -221,7 +280,7 @@ final class ObjReader {
                 known = normal != NONE;
             }
         }
-        if (known && (at == end || LineReader.isBlank(bytes[at])) && (cornerCount == 0 || normal != NONE == (cornerNormals[0] != NONE))) {
+        if (known && (at == end || LineReader.isBlank(bytes[at]))) {
             addCorner(vertex, normal);
         } else {
             readUnusualCorner(word);
@@ -249,24 +308,26 @@ final class ObjReader {
     private void readUnusualCorner(int begin) throws SceneFormatException {
         at = begin;
         skipWord();
-        if (at == begin) {
-            throw error(begin, "corner " + (cornerCount + 1) + " of at least " + MIN_CORNERS, "the end of the line");
-        }
         String word = lines.text(begin, at);
         String[] indices = word.split("/", -1);
-        boolean withNormal = indices.length > 2 && !indices[2].isEmpty();
-        if (cornerCount > 0 && withNormal != (cornerNormals[0] != NONE)) {
-            throw error(begin, "corners all with normals or all without", found(word));
-        }
         int vertex = index(begin, word, indices[0], vertexCount, "vertex");
         if (indices.length > 1 && !indices[1].isEmpty()) {
             index(begin, word, indices[1], Integer.MAX_VALUE, "texture");
         }
-        int normal = withNormal ? index(begin, word, indices[2], normalCount, "normal") : NONE;
+        int normal = indices.length > 2 && !indices[2].isEmpty() ? normalIndex(begin, word, indices[2]) : NONE;
         if (indices.length > 3) {
             throw error(begin, "vertex/texture/normal", found(word));
         }
         addCorner(vertex, normal);
+    }
+
+    private int normalIndex(int begin, String word, String index) throws SceneFormatException {
+        Long value = Numbers.parseInteger(index, Long.MIN_VALUE, Long.MAX_VALUE);
+        if (value == null || value != 0 && Math.abs(value) <= normalCount) {
+            return index(begin, word, index, normalCount, "normal");
+        }
+        lacksNormals = true;
+        return NONE;
     }
 
     private int index(int begin, String word, String index, int count, String what) throws SceneFormatException {
@@ -299,9 +360,7 @@ final class ObjReader {
     /** Adds the triangle of the polygon's first corner and two others, unless it is flat. */
     private void addTriangle(int second, int third) {
         if (!Triangles.cross(vertices, 3 * corners[0], 3 * corners[second], 3 * corners[third], cross)) {
-            if (flatCount++ == 0) {
-                firstFlat = lines.warning("");
-            }
+            flat.add();
             return;
         }
         if (triangleEnd == triangles.length) {
@@ -322,12 +381,59 @@ final class ObjReader {
         if (triangleEnd == 0) {
             throw lines.missing("a polygon that has an area");
         }
-        if (flatCount > 0) {
-            warnings.accept(new Problem(firstFlat.file(), firstFlat.line(), firstFlat.column(), false, "expected triangles that have an"
-                + " area, found " + flatCount + " without, which " + (flatCount == 1 ? "is" : "are") + " skipped", firstFlat.source()));
+        for (PassedOver each : new PassedOver[] {flat, few, aimless, bare}) {
+            each.warn(warnings);
+        }
+        if (!infinite.isEmpty()) {
+            warnings.accept(warning(firstInfinite, "finite coordinates", infinite.size(), infinite.size() == 1
+                ? "vertex without, which no polygon names" : "vertices without, which no polygon names"));
         }
         return new Triangles(Arrays.copyOf(vertices, 3 * vertexCount), Arrays.copyOf(triangles, triangleEnd),
             Arrays.copyOf(normals, 3 * normalCount), triangleNormals == null ? null : Arrays.copyOf(triangleNormals, triangleEnd));
+    }
+
+    private static Problem warning(Problem first, String wanted, int count, String found) {
+        return new Problem(first.file(), first.line(), first.column(), false, "expected " + wanted + ", found " + count + ' ' + found,
+            first.source());
+    }
+
+    /** A kind of thing that a picture does not need: where the first one stands, and how many there are. */
+    private final class PassedOver {
+        private final String wanted;
+        private final String one;
+        private final String many;
+        private int count;
+        private Problem first;
+
+        PassedOver(String wanted, String one, String many) {
+            this.wanted = wanted;
+            this.one = one;
+            this.many = many;
+        }
+
+        /** Adds one, on the line that is being read. */
+        void add() {
+            if (count++ == 0) {
+                first = lines.warning("");
+            }
+        }
+
+        void warn(Consumer<Problem> warnings) {
+            if (count > 0) {
+                warnings.accept(warning(first, wanted, count, count == 1 ? one : many));
+            }
+        }
+    }
+
+    /** A number is no number or infinite: an error, unless the picture does not need it. */
+    private static final class NotFiniteException extends Exception {
+        private static final long serialVersionUID = 1L;
+        final transient SceneFormatException problem;
+
+        NotFiniteException(SceneFormatException problem) {
+            super(problem);
+            this.problem = problem;
+        }
     }
 
     /** {@return an array with room for three more numbers at this index} */

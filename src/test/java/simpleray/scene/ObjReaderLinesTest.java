@@ -157,7 +157,7 @@ class ObjReaderLinesTest {
         assertThat(headline(THREE + "f 1 \\\n 2 y\\\n 3")).isEqualTo("a.obj:5:4: error: expected polygon 1's vertex index, found 'y'");
         assertThat(headline(THREE + "f 1 \\\n 2 3\\\n  z")).isEqualTo("a.obj:6:3: error: expected polygon 1's vertex index, found 'z'");
         assertThat(headline(THREE + "f 1\\\n2\\\n")).isEqualTo(
-            "a.obj:5:3: error: expected polygon 1's corner 3 of at least 3, found the end of the line");
+            "a.obj:5:3: error: expected a polygon that has an area, found the end of the file");
     }
 
     @Test

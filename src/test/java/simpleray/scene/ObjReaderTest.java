@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
+import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -36,6 +37,12 @@ class ObjReaderTest {
         String source = text.split("\n", -1)[line - 1];
         assertThatThrownBy(() -> read(text)).isInstanceOf(SceneFormatException.class).hasMessage(folder.resolve("a.obj") + ":" + line + ':'
             + column + ": error: expected " + message + '\n' + source + '\n' + " ".repeat(column - 1) + '^');
+    }
+
+    /** Checks that there is one warning, of a line. */
+    private void assertWarning(int line, String message) {
+        assertThat(warnings).hasSize(1).allSatisfy(warning -> assertThat(warning.toString())
+            .startsWith(folder.resolve("a.obj") + ":" + line + ":1: warning: expected " + message + '\n'));
     }
 
     @Test
@@ -92,13 +99,34 @@ class ObjReaderTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"x, ''", "NaN, ' (numbers must be finite)'", "Infinity, ' (numbers must be finite)'", "-inf, ' (numbers must be finite)'",
-        "1f, ' (a number ends with a digit)'", "0x1p3, ' (numbers are decimal)'", "1.1e100, ' (beyond 1e100, the largest coordinate)'",
+    @CsvSource({"x, ''", "1f, ' (a number ends with a digit)'", "0x1p3, ' (numbers are decimal)'", "1.1e100, ' (beyond 1e100, the largest coordinate)'",
         "-1e101, ' (beyond 1e100, the largest coordinate)'", "1e309, ' (beyond 1.8e308, the largest number)'",
         "'1,5', ' (a decimal point is a ''.'')'", "--1, ''"})
-    void aVertexConsistsOfFiniteNumbers(String word, String why) {
+    void aVertexConsistsOfNumbers(String word, String why) {
         assertError("v 0 0 0\nv 1 " + word + " 0\n", 2, 5, "vertex 2's y, found '" + word + "'" + why);
         assertError("vn 0 0 " + word + "\n", 1, 8, "normal 1's z, found '" + word + "'" + why);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"NaN", "-nan", "Infinity", "-inf"})
+    void aVertexThatAPolygonNamesIsFinite(String word) {
+        assertError("v 0 0 0\nv 1 " + word + " 0\nv 0 1 0\nv 0 1 1\nf 1 3 4\nf 1 2 3\n", 2, 5,
+            "vertex 2's y, found '" + word + "' (numbers must be finite)");
+    }
+
+    @Test
+    void verticesThatNoPolygonNamesNeedNotBe() throws IOException {
+        assertThat(read(THREE + "v nan 0 0\nv 0 inf 0\nf 1 2 3\n").corners()).containsExactly(0, 1, 2);
+        assertWarning(4, "finite coordinates, found 2 vertices without, which no polygon names");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"0 0 0", "nan 0 1", "0 -inf 0", "1 2 NaN"})
+    void aNormalThatPointsNowhereIsPassedOver(String normal) throws IOException {
+        Triangles triangles = read(THREE + "vn " + normal + "\nvn 0 0 1\nf 1//1 2//1 3//2\n");
+        assertThat(triangles.normals()).containsExactly(0, 0, 0, 0, 0, 1);
+        assertThat(triangles.cornerNormals()).containsExactly(0, 0, 1);
+        assertWarning(4, "normals of finite length above 0, found 1 that has none, which is passed over");
     }
 
     @Test
@@ -114,10 +142,18 @@ class ObjReaderTest {
             "polygon 2's vertex index among the 3 so far, found '" + index + "'");
     }
 
+    @ParameterizedTest
+    @ValueSource(strings = {"f 1//3 2//3 3//3", "f 1//0 2//0 3//0", "f 1//1 2//-3 3//1", "f 1//3 2//1 3//1", "f 1//1 2 3//1", "f 1 2//1 3//1",
+        "f 1/7/99999999999 2//1 3"})
+    void aPolygonThatLacksNormalsIsFlat(String face) throws IOException {
+        Triangles triangles = read(THREE + "vn 0 0 1\nvn 0 1 0\n" + face + "\nf 1//1 2//2 3//1\n");
+        assertThat(triangles.cornerNormals()).containsExactly(-1, -1, -1, 0, 1, 0);
+        assertWarning(6, "polygons with normals at all corners or at none, found 1 that lacks some, which is shaded flat");
+    }
+
     @Test
-    void anIndexOfANormalIsOneOfTheNormalsSoFar() {
-        assertError(THREE + "f 1//1 2//1 3//1\n", 4, 3, "polygon 1's normal index among the 0 so far, found '1//1'");
-        assertError(THREE + "vn 0 0 1\nf 1//1 2//-2 3//1\n", 5, 8, "polygon 1's normal index among the 1 so far, found '2//-2'");
+    void anIndexOfANormalIsAnInteger() {
+        assertError(THREE + "vn 0 0 1\nf 1//1 2//x 3//1\n", 5, 8, "polygon 1's normal index, found '2//x'");
     }
 
     @ParameterizedTest
@@ -152,15 +188,18 @@ class ObjReaderTest {
     }
 
     @Test
-    void cornersHaveNormalsAllOrNone() {
-        assertError(THREE + "vn 0 0 1\nf 1//1 2 3//1\n", 5, 8, "polygon 1's corners all with normals or all without, found '2'");
-        assertError(THREE + "vn 0 0 1\nf 1 2//1 3//1\n", 5, 5, "polygon 1's corners all with normals or all without, found '2//1'");
+    void polygonsOfFewerCornersThanThreeAreSkipped() throws IOException {
+        assertThat(read(THREE + "f 1 2 # 3\nf\nf 1// 2//\nfo 1 2 3\n").corners()).containsExactly(0, 1, 2);
+        assertWarning(4, "polygons of at least 3 corners, found 3 of fewer, which are skipped");
     }
 
     @Test
-    void aPolygonHasThreeCorners() {
-        assertError(THREE + "f 1 2 # 3\n", 4, 6, "polygon 1's corner 3 of at least 3, found the end of the line");
-        assertError(THREE + "f\n", 4, 2, "polygon 1's corner 1 of at least 3, found the end of the line");
+    void utf16IsNamed() throws IOException {
+        for (Charset charset : List.of(StandardCharsets.UTF_16, StandardCharsets.UTF_16LE, StandardCharsets.UTF_16BE)) {
+            Path path = Files.writeString(folder.resolve("wide.obj"), "v 0 0 0\n", charset);
+            assertThatThrownBy(() -> ObjReader.read(path, warnings::add)).isInstanceOf(SceneFormatException.class)
+                .hasMessageStartingWith(path + ":1:1: error: expected text in UTF-8, found UTF-16\n");
+        }
     }
 
     @Test
