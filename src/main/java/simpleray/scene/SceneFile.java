@@ -15,6 +15,7 @@ import java.util.List;
 import simpleray.image.PictureText;
 import simpleray.image.png.PngChunks;
 import simpleray.io.HashingInputStream;
+import simpleray.io.MagicNumber;
 import simpleray.text.Problem;
 import simpleray.text.SceneFormatException;
 import simpleray.text.SceneReader;
@@ -159,9 +160,14 @@ public record SceneFile(Scene scene, List<Problem> warnings, SourceText text) {
     }
 
     private static SceneFile read(InputStream file, int longestKept, String name, Path folder, Reach reach) throws IOException {
-        PushbackInputStream begun = new PushbackInputStream(file, PngChunks.signature().length);
+        PushbackInputStream begun = new PushbackInputStream(file, MagicNumber.LENGTH);
         if (PngChunks.begin(begun)) {
             return PictureScene.read(new PngChunks(new BufferedInputStream(begun), name), name).open(name, folder, reach);
+        }
+        String kind = MagicNumber.nameOf(begun);
+        if (kind != null) {
+            String message = "expected a scene, as text in UTF-8, found " + kind;
+            throw new SceneFormatException(List.of(new Problem(name, 1, 1, true, message, null)), false);
         }
         HashingInputStream in = new HashingInputStream(begun, longestKept);
         SceneReader reader = new SceneReader(in, name, folder);

@@ -94,8 +94,7 @@ class SceneFileVastTest {
 
     @Test
     void aGigabyteOfNothingIsRefused() {
-        assertThat(refusal("\0", FILE)).isEqualTo("expected the number of objects, found '" + "\uFFFD".repeat(60)
-            + "...' (with NUL bytes; is the file UTF-16, or no text?)");
+        assertThat(refusal("\0", FILE)).isEqualTo("expected a scene, as text in UTF-8, found NUL bytes");
     }
 
     @Test
