@@ -53,6 +53,84 @@ class MeshTest {
     }
 
     @Test
+    void aVertexLiesWhereScaleAndOffsetPutIt() throws IOException {
+        Mesh mesh = mesh("v 9 9 9\nv 1 2 3\nv 4 5 6\nv 7 8 10\nf 2 3 4\nf 3 4 1\n", new Point(100, 200, 400), -2);
+
+        assertThat(mesh.vertex(0, 0)).hasToString("[98.0,196.0,394.0]");
+        assertThat(mesh.vertex(0, 2)).hasToString("[86.0,184.0,380.0]");
+        assertThat(mesh.vertex(1, 1)).hasToString("[86.0,184.0,380.0]");
+        assertThat(mesh.vertex(1, 2)).hasToString("[82.0,182.0,382.0]");
+    }
+
+    @Test
+    void aVertexNormalIsTheFiles() throws IOException {
+        Mesh mesh = mesh("v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 3 0 4\nvn 0 5 12\nvn 8 15 0\nf 1 2 3\nf 1//1 2//2 3//3\n", new Point(), 1);
+
+        assertThat(mesh.vertexNormal(0, 0)).isNull();
+        assertThat(mesh.vertexNormal(1, 0).dot(new Vector(3, 0, 4))).isEqualTo(5, within(ROUNDING));
+        assertThat(mesh.vertexNormal(1, 1).dot(new Vector(0, 5, 12))).isEqualTo(13, within(ROUNDING));
+        assertThat(mesh.vertexNormal(1, 2).dot(new Vector(8, 15, 0))).isEqualTo(17, within(ROUNDING));
+        assertThat(cube().vertexNormal(3, 1)).isNull();
+    }
+
+    /** The triangle in the plane z = 2 k has the number k. */
+    @Test
+    void eachTriangleIsAPartOfItsOwn() throws IOException {
+        String obj = "v 0 0 0\nv 3 0 0\nv 0 3 0\nv 0 0 2\nv 3 0 2\nv 0 3 2\nf 1 2 3\nf 4 5 6\n";
+        Mesh mesh = mesh(obj, new Point(10, 20, 30), 2);
+        Ray ray = ray(11, 21, 44, 0, 0, -1);
+        Hit hit = new Hit();
+
+        assertThat(mesh.parts()).isEqualTo(2);
+        mesh.intersect(ray, 5, 0, hit);
+        assertThat(hit.t).isEqualTo(14, within(ROUNDING));
+        assertThat(hit.part).isZero();
+        mesh.intersect(ray, 5, 1, hit);
+        assertThat(hit.t).isEqualTo(10, within(ROUNDING));
+        assertThat(hit.part).isEqualTo(1);
+        assertThat(hit.place).isEqualTo(5);
+        assertThat(hit.weights[0] / (hit.weights[0] + hit.weights[1] + hit.weights[2])).isEqualTo(2 / 3.0, within(ROUNDING));
+        assertThat(hit.weights[1]).isEqualTo(hit.weights[2]).isNotZero();
+        mesh.intersect(ray, 5, 0, hit);
+        assertThat(hit.part).as("it is farther").isEqualTo(1);
+
+        Hit scratch = new Hit();
+        assertThat(mesh.occludes(ray, 9.9, 1, scratch)).isFalse();
+        assertThat(mesh.occludes(ray, 10.1, 1, scratch)).isTrue();
+        assertThat(mesh.occludes(ray, 13.9, 0, scratch)).isFalse();
+        assertThat(mesh.occludes(ray, 14.1, 0, scratch)).isTrue();
+        scratch.reset();
+        assertThat(mesh.occludes(ray(11, 21, 44, 0, 0, 1), 99, 1, scratch)).as("away from it").isFalse();
+    }
+
+    @Test
+    void ofTwoPartsAtTheSameDistanceTheFirstIsHit() throws IOException {
+        Mesh mesh = mesh("v 0 0 0\nv 3 0 0\nv 0 3 0\nf 1 2 3\nf 1 2 3\n", new Point(), 1);
+        Hit hit = new Hit();
+        mesh.intersect(ray(1, 1, 4, 0, 0, -1), 7, 1, hit);
+        mesh.intersect(ray(1, 1, 4, 0, 0, -1), 7, 0, hit);
+        assertThat(hit.part).isZero();
+        mesh.intersect(ray(1, 1, 4, 0, 0, -1), 7, 1, hit);
+        assertThat(hit.part).isZero();
+        mesh.intersect(ray(1, 1, 4, 0, 0, -1), 8, 1, hit);
+        assertThat(hit.place).isEqualTo(7);
+    }
+
+    @Test
+    void aPartIsWithinItsBounds() throws IOException {
+        double[] box = new double[6];
+        for (double scale : new double[] {2, -2}) {
+            Mesh mesh = mesh("v 1 2 3\nv 4 6 8\nv 0 7 9\nv 90 90 90\nf 4 2 3\nf 1 2 3\n", new Point(10, 20, 30), scale);
+            mesh.partBounds(1, box);
+            double[] exact = scale > 0 ? new double[] {10, 24, 36, 18, 34, 48} : new double[] {2, 6, 12, 10, 16, 24};
+            for (int i = 0; i < 6; i++) {
+                assertThat(box[i]).isEqualTo(exact[i], within(1e-9));
+                assertThat(box[i]).isBetween(i < 3 ? -1e9 : exact[i], i < 3 ? exact[i] : 1e9);
+            }
+        }
+    }
+
+    @Test
     void aMeshOfNoFileIsWhatItsNumbersSay() {
         Mesh tetrahedron = Mesh.of(new Material(), new double[] {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1},
             new int[] {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3});

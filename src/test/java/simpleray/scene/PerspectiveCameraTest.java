@@ -30,6 +30,26 @@ class PerspectiveCameraTest {
         assertThat(camera.height()).isEqualTo(50);
     }
 
+    /** The field of view of 90 degrees is that of the height: there the picture is 2 high, and as wide as its ratio says. */
+    @Test
+    void itsAxesSpanThePicture() {
+        PerspectiveCamera camera = new PerspectiveCamera(AHEAD, 100, 50);
+        Vector forward = camera.forward();
+        Vector right = camera.right();
+        Vector up = camera.up();
+
+        assertThat(forward.dot(new Vector(0, 0, -1))).isEqualTo(1, ROUNDING);
+        assertThat(forward.norm()).isEqualTo(1, ROUNDING);
+        assertThat(right.y).isZero();
+        assertThat(right.z).isZero();
+        assertThat(up.x).isZero();
+        assertThat(up.z).isZero();
+        assertThat(right.x / up.y).isEqualTo(2, CLOSE);
+        Vector corner = new PerspectiveCamera(AHEAD, 100, 50).through(100, 0).direction;
+        assertThat(corner.x / -corner.z).isEqualTo(right.x / 2, CLOSE);
+        assertThat(corner.y / -corner.z).isEqualTo(up.y / 2, CLOSE);
+    }
+
     @Test
     void theCentreRayGoesToTheLookAtPoint() {
         assertDirection(new PerspectiveCamera(AHEAD, 100, 100).through(50, 50), 0, 0, -1);

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
+import simpleray.math.Bounds;
 import simpleray.math.Point;
 import simpleray.math.Ray;
 import simpleray.math.Vector;
@@ -19,6 +20,11 @@ class SphereTest {
         assertThat(unit.centre).hasToString("[0.0,0.0,0.0]");
         assertThat(unit.radius).isEqualTo(1);
         assertThat(unit.surfaceMaterial).isNotNull();
+    }
+
+    @Test
+    void itsBoundsAreTheRadiusFromTheCentre() {
+        assertThat(new Sphere(new Material(), new Point(1, 20, 300), 4).bounds()).isEqualTo(new Bounds(-3, 16, 296, 5, 24, 304));
     }
 
     @Test
