@@ -16,6 +16,16 @@ class OpticsTest {
     private static final Vector NORMAL = new Vector(0.6, 0, 0.8);
 
     @Test
+    void aShadowRayEndsBeforeTheLightByMoreThanItsRoundings() {
+        assertThat(Optics.margin(new Point(1, 2, 3), 4)).isEqualTo(Object.THRESHOLD);
+        assertThat(Optics.margin(new Point(1, 2, 3), Double.POSITIVE_INFINITY)).isZero();
+        assertThat(Optics.margin(new Point(-0x1p48, 2, 3), 4)).isEqualTo(1);
+        assertThat(Optics.margin(new Point(1, -0x1p49, 3), 4)).isEqualTo(2);
+        assertThat(Optics.margin(new Point(1, 2, -0x1p50), 4)).isEqualTo(4);
+        assertThat(Optics.margin(new Point(1, 2, 3), 0x1p51)).isEqualTo(8);
+    }
+
+    @Test
     void theMirrorDirectionLeavesAtTheAngleAtWhichTheRayCame() {
         Vector mirror = new Vector();
         Optics.mirror(mirror, new Vector(0.6, 0, -0.8), new Vector(0, 0, 1));
