@@ -16,8 +16,6 @@ public final class MagicNumber {
         KINDS.put("\0\0\0\0", "NUL bytes");
         KINDS.put("\0\0\u00FE\u00FF", "UTF-32");
         KINDS.put("\u00FF\u00FE\0\0", "UTF-32");
-        KINDS.put("\u00FF\u00FE", "UTF-16");
-        KINDS.put("\u00FE\u00FF", "UTF-16");
         KINDS.put("PK\3\4", "a ZIP file");
         KINDS.put("\u001F\u008B", "a gzip file");
         KINDS.put("BZh", "a bzip2 file");
@@ -53,7 +51,25 @@ public final class MagicNumber {
                 return kind.getValue();
             }
         }
-        boolean wide = head.length >= 4 && (head[0] == 0) != (head[1] == 0) && (head[0] == 0) == (head[2] == 0);
-        return wide && (head[1] == 0) == (head[3] == 0) ? "UTF-16" : null;
+        return isUtf16(head, 0, head.length) ? "UTF-16" : null;
+    }
+
+    /**
+     * Tells a text in UTF-16 by its first bytes: a byte order mark, or letters of two bytes.
+     *
+     * @param bytes the bytes
+     * @param from where the text begins
+     * @param to where the bytes end that are known
+     * @return whether it is one
+     */
+    public static boolean isUtf16(byte[] bytes, int from, int to) {
+        if (to - from < 2) {
+            return false;
+        }
+        int mark = (bytes[from] & 0xFF) << Byte.SIZE | bytes[from + 1] & 0xFF;
+        boolean high = bytes[from] == 0;
+        boolean low = bytes[from + 1] == 0;
+        return mark == 0xFEFF || mark == 0xFFFE
+            || to - from >= 4 && high != low && high == (bytes[from + 2] == 0) && low == (bytes[from + 3] == 0);
     }
 }

@@ -98,19 +98,6 @@ final class LineReader {
         return true;
     }
 
-    /** {@return whether the line begins as the first one of a file in UTF-16 does: with its byte order mark, or letters of two bytes} */
-    boolean isUtf16() {
-        if (end - begin < 2) {
-            return false;
-        }
-        int mark = (bytes[begin] & 0xFF) << Byte.SIZE | bytes[begin + 1] & 0xFF;
-        return mark == 0xFEFF || mark == 0xFFFE || isZero(0) && !isZero(1) && isZero(2) || !isZero(0) && isZero(1) && isZero(3);
-    }
-
-    private boolean isZero(int i) {
-        return begin + i < end && bytes[begin + i] == 0;
-    }
-
     /** Reads a line that is not plain, or not completely in the buffer. */
     private void readUnusual() throws IOException {
         next = start;

@@ -12,6 +12,7 @@ import java.util.Arrays;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.function.Consumer;
+import simpleray.io.MagicNumber;
 import simpleray.io.Sha256;
 import simpleray.text.Found;
 import simpleray.text.Numbers;
@@ -72,8 +73,9 @@ final class ObjReader {
         "that have none, which are passed over");
     private final PassedOver bare = new PassedOver("polygons with normals at all corners or at none", "that lacks some, which is shaded flat",
         "that lack some, which are shaded flat");
+    private final PassedOver unused = new PassedOver("finite coordinates", "vertex without, which no polygon names",
+        "vertices without, which no polygon names");
     private Map<Integer, SceneFormatException> infinite = Map.of();     // of each vertex that is not finite, what is wrong with it
-    private Problem firstInfinite;
 
     private ObjReader(LineReader lines) {
         this.lines = lines;
@@ -116,7 +118,7 @@ final class ObjReader {
     static Triangles read(InputStream in, String name, Consumer<Problem> warnings) throws IOException {
         ObjReader reader = new ObjReader(new LineReader(in, name));
         boolean more = reader.lines.read();
-        if (more && reader.lines.isUtf16()) {
+        if (more && MagicNumber.isUtf16(reader.lines.bytes, reader.lines.begin, reader.lines.end)) {
             throw reader.lines.error(reader.lines.begin, "text in UTF-8", "UTF-16");
         }
         while (more) {
@@ -171,10 +173,8 @@ final class ObjReader {
             vertices[i + 1] = readNumber("vertex ", vertexCount, 'y');
             vertices[i + 2] = readNumber("vertex ", vertexCount, 'z');
         } catch (NotFiniteException e) {
-            if (infinite.isEmpty()) {
-                infinite = new HashMap<>();
-                firstInfinite = lines.warning("");
-            }
+            unused.add();                                     // or a polygon names it, and then it is an error
+            infinite = infinite.isEmpty() ? new HashMap<>() : infinite;
             infinite.put(vertexCount - 1, e.problem);
         }
     }
@@ -183,16 +183,16 @@ final class ObjReader {
     private void readNormal() throws SceneFormatException {
         int i = 3 * normalCount++;
         normals = withRoom(normals, i);
-        double x = 0;
-        double y = 0;
-        double z = 0;
+        double x;
+        double y;
+        double z;
         try {
             x = readNumber("normal ", normalCount, 'x');
             y = readNumber("normal ", normalCount, 'y');
             z = readNumber("normal ", normalCount, 'z');
         } catch (NotFiniteException e) {
-            x = 0;
-            y = 0;
+            aimless.add();                                    // its components stay 0
+            return;
         }
         // an exact power of two, so that squares of small components do not underflow
         double unit = Math.scalb(1.0, -Math.getExponent(Math.max(Math.abs(x), Math.max(Math.abs(y), Math.abs(z)))));
@@ -323,11 +323,11 @@ final class ObjReader {
 
     private int normalIndex(int begin, String word, String index) throws SceneFormatException {
         Long value = Numbers.parseInteger(index, Long.MIN_VALUE, Long.MAX_VALUE);
-        if (value == null || value != 0 && Math.abs(value) <= normalCount) {
-            return index(begin, word, index, normalCount, "normal");
+        if (value != null && (value == 0 || value < -normalCount || value > normalCount)) {
+            lacksNormals = true;
+            return NONE;
         }
-        lacksNormals = true;
-        return NONE;
+        return index(begin, word, index, normalCount, "normal");
     }
 
     private int index(int begin, String word, String index, int count, String what) throws SceneFormatException {
@@ -381,20 +381,11 @@ final class ObjReader {
         if (triangleEnd == 0) {
             throw lines.missing("a polygon that has an area");
         }
-        for (PassedOver each : new PassedOver[] {flat, few, aimless, bare}) {
+        for (PassedOver each : new PassedOver[] {flat, few, aimless, bare, unused}) {
             each.warn(warnings);
-        }
-        if (!infinite.isEmpty()) {
-            warnings.accept(warning(firstInfinite, "finite coordinates", infinite.size(), infinite.size() == 1
-                ? "vertex without, which no polygon names" : "vertices without, which no polygon names"));
         }
         return new Triangles(Arrays.copyOf(vertices, 3 * vertexCount), Arrays.copyOf(triangles, triangleEnd),
             Arrays.copyOf(normals, 3 * normalCount), triangleNormals == null ? null : Arrays.copyOf(triangleNormals, triangleEnd));
-    }
-
-    private static Problem warning(Problem first, String wanted, int count, String found) {
-        return new Problem(first.file(), first.line(), first.column(), false, "expected " + wanted + ", found " + count + ' ' + found,
-            first.source());
     }
 
     /** A kind of thing that a picture does not need: where the first one stands, and how many there are. */
@@ -420,7 +411,8 @@ final class ObjReader {
 
         void warn(Consumer<Problem> warnings) {
             if (count > 0) {
-                warnings.accept(warning(first, wanted, count, count == 1 ? one : many));
+                warnings.accept(new Problem(first.file(), first.line(), first.column(), false,
+                    "expected " + wanted + ", found " + count + ' ' + (count == 1 ? one : many), first.source()));
             }
         }
     }

@@ -44,4 +44,19 @@ class MagicNumberTest {
     void whatMayBeATextIsNone(String text) throws IOException {
         assertThat(nameOf(text.getBytes(StandardCharsets.UTF_8))).isNull();
     }
+
+    /** The bytes before the text are a letter, those behind it are zeros. */
+    @ParameterizedTest
+    @CsvSource({"FEFF, true", "FFFE, true", "FFFF, false", "FE, false", "76002000, true", "00760020, true", "760020, false", "007600, false",
+        "76002020, false", "76760020, false", "00762020, false", "00760000, false", "76000000, false", "00000000, false", "76762020, false"})
+    void wideTextIsToldByItsFirstFourBytes(String digits, boolean wide) {
+        byte[] bytes = new byte[9];
+        bytes[0] = 'v';
+        int length = digits.length() / 2;
+        for (int i = 0; i < length; i++) {
+            bytes[1 + i] = (byte) Integer.parseInt(digits.substring(2 * i, 2 * i + 2), 16);
+        }
+
+        assertThat(MagicNumber.isUtf16(bytes, 1, 1 + length)).isEqualTo(wide);
+    }
 }
