@@ -12,11 +12,9 @@ import org.junit.jupiter.api.Test;
 import simpleray.math.Bounds;
 import simpleray.math.Colour;
 import simpleray.math.Point;
-import simpleray.math.Ray;
 import simpleray.math.Vector;
 import simpleray.scene.DirectionalLight;
 import simpleray.scene.Material;
-import simpleray.scene.Object;
 import simpleray.scene.PerspectiveCamera;
 import simpleray.scene.Plane;
 import simpleray.scene.PointLight;
@@ -24,8 +22,8 @@ import simpleray.scene.Scene;
 import simpleray.scene.Scenes;
 import simpleray.scene.SimpleCamera;
 import simpleray.scene.Sphere;
+import simpleray.scene.StandIn;
 import simpleray.scene.Triangle;
-import simpleray.text.SceneReader;
 import simpleray.text.SceneWriter;
 
 /** What is written for POV-Ray, word for word. */
@@ -170,36 +168,14 @@ class PovExporterTest {
     }
 
     /** Something that POV-Ray has no form of. */
-    private static final class Blob extends Object {
+    private static final class Blob extends StandIn {
         private Blob(Material material) {
             super(material);
         }
 
         @Override
-        public double intersect(Ray ray) {
-            return MISS;
-        }
-
-        @Override
-        public Vector normal(Point pt) {
-            return new Vector(0, 1, 0);
-        }
-
-        @Override
         public Bounds bounds() {
             return Bounds.of(new Point());
-        }
-
-        @Override
-        public void print(SceneWriter os) {
-        }
-
-        @Override
-        public void read(SceneReader is) {
-        }
-
-        @Override
-        public void write(SceneWriter os) {
         }
     }
 

@@ -11,15 +11,11 @@ import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
-import java.util.List;
 import java.util.concurrent.CompletableFuture;
-import java.util.stream.Collectors;
-import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
-import simpleray.image.Pictures;
 
 /** Targets that are special. */
 class PictureFileTargetTest {
@@ -53,11 +49,11 @@ class PictureFileTargetTest {
         Path real = Files.createFile(Files.createDirectory(folder.resolve("elsewhere")).resolve("real.png"));
         Files.createSymbolicLink(target, real);
 
-        write(target, 0.5);
+        PictureFileTest.write(target, 0.5);
 
         assertThat(target).isSymbolicLink();
-        assertThat(Files.readAllBytes(real)).isEqualTo(png(0.5));
-        assertThat(names()).containsExactly("elsewhere", "picture.png");
+        assertThat(Files.readAllBytes(real)).isEqualTo(PictureFileTest.png(0.5));
+        assertThat(PictureFileTest.names(folder)).containsExactly("elsewhere", "picture.png");
     }
 
     @Test
@@ -65,10 +61,10 @@ class PictureFileTargetTest {
         Path real = folder.resolve("real.png");
         Files.createSymbolicLink(target, real.getFileName());
 
-        write(target, 0.5);
+        PictureFileTest.write(target, 0.5);
 
         assertThat(target).isSymbolicLink();
-        assertThat(Files.readAllBytes(real)).isEqualTo(png(0.5));
+        assertThat(Files.readAllBytes(real)).isEqualTo(PictureFileTest.png(0.5));
     }
 
     @Test
@@ -77,7 +73,7 @@ class PictureFileTargetTest {
         Files.createFile(target);
         Files.setPosixFilePermissions(target, PosixFilePermissions.fromString("rw-r-----"));
 
-        write(target, 0.5);
+        PictureFileTest.write(target, 0.5);
 
         assertThat(PosixFilePermissions.toString(Files.getPosixFilePermissions(target))).isEqualTo("rw-r-----");
     }
@@ -87,7 +83,7 @@ class PictureFileTargetTest {
         assumeTrue(Files.getFileStore(folder).supportsFileAttributeView("posix"), "no POSIX permissions here");
         Path usual = Files.createFile(folder.resolve("usual"));
 
-        write(target, 0.5);
+        PictureFileTest.write(target, 0.5);
 
         assertThat(Files.getPosixFilePermissions(target)).isEqualTo(Files.getPosixFilePermissions(usual));
     }
@@ -100,7 +96,7 @@ class PictureFileTargetTest {
 
         assertThatThrownBy(() -> new PictureFile(target)).isInstanceOf(FileSystemException.class)
             .hasMessage(target + ": is write-protected");
-        assertThat(names()).containsExactly("picture.png");
+        assertThat(PictureFileTest.names(folder)).containsExactly("picture.png");
     }
 
     /** A pipe stands for all that is there and is no file, such as /dev/stdout. */
@@ -111,11 +107,11 @@ class PictureFileTargetTest {
         assertThat(new ProcessBuilder("/usr/bin/mkfifo", target.toString()).start().waitFor()).isZero();
         CompletableFuture<byte[]> received = CompletableFuture.supplyAsync(() -> contentOf(target));
 
-        write(target, 0.5);
+        PictureFileTest.write(target, 0.5);
 
-        assertThat(received.get()).isEqualTo(png(0.5));
+        assertThat(received.get()).isEqualTo(PictureFileTest.png(0.5));
         assertThat(Files.isRegularFile(target, LinkOption.NOFOLLOW_LINKS)).isFalse();
-        assertThat(names()).containsExactly("picture.png");
+        assertThat(PictureFileTest.names(folder)).containsExactly("picture.png");
     }
 
     private static byte[] contentOf(Path path) {
@@ -124,21 +120,5 @@ class PictureFileTargetTest {
         } catch (IOException e) {
             throw new IllegalStateException(e);
         }
-    }
-
-    private List<String> names() throws IOException {
-        try (Stream<Path> files = Files.list(folder)) {
-            return files.map(file -> file.getFileName().toString()).sorted().collect(Collectors.toList());
-        }
-    }
-
-    private static void write(Path path, double light) throws IOException {
-        try (PictureFile file = new PictureFile(path)) {
-            file.write(Pictures.plain(2, 2, light));
-        }
-    }
-
-    private static byte[] png(double light) throws IOException {
-        return Pictures.png(Pictures.plain(2, 2, light));
     }
 }

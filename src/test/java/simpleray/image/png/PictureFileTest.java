@@ -31,20 +31,20 @@ class PictureFileTest {
         write(target, 0.5);
 
         assertThat(Files.readAllBytes(target)).isEqualTo(png(0.5));
-        assertThat(names()).containsExactly("picture.png");
+        assertThat(names(folder)).containsExactly("picture.png");
     }
 
     @Test
     void theTargetAppearsOnlyWhenItIsWhole() throws IOException {
         try (PictureFile file = new PictureFile(target)) {
             assertThat(target).doesNotExist();
-            assertThat(names()).as("what is beside it meanwhile").allMatch(name -> name.startsWith("."));
+            assertThat(names(folder)).as("what is beside it meanwhile").allMatch(name -> name.startsWith("."));
 
             file.write(Pictures.plain(2, 2, 0.5));
 
             assertThat(Files.readAllBytes(target)).isEqualTo(png(0.5));
         }
-        assertThat(names()).containsExactly("picture.png");
+        assertThat(names(folder)).containsExactly("picture.png");
     }
 
     @Test
@@ -56,7 +56,7 @@ class PictureFileTest {
             file.write(Pictures.plain(2, 2, 0.5));
         }
         assertThat(Files.readAllBytes(target)).isEqualTo(png(0.5));
-        assertThat(names()).containsExactly("picture.png");
+        assertThat(names(folder)).containsExactly("picture.png");
     }
 
     @Test
@@ -65,13 +65,13 @@ class PictureFileTest {
         new PictureFile(target).close();
 
         assertThat(Files.readAllBytes(target)).isEqualTo(png(0.25));
-        assertThat(names()).containsExactly("picture.png");
+        assertThat(names(folder)).containsExactly("picture.png");
     }
 
     @Test
     void whereNothingIsWrittenNothingIsLeft() throws IOException {
         new PictureFile(target).close();
-        assertThat(names()).isEmpty();
+        assertThat(names(folder)).isEmpty();
     }
 
     @Test
@@ -81,7 +81,7 @@ class PictureFileTest {
             assertThatThrownBy(() -> file.write(new Picture(1, 1))).isInstanceOf(IllegalStateException.class);
         }
         assertThat(Files.readAllBytes(target)).isEqualTo(png(0.25));
-        assertThat(names()).containsExactly("picture.png");
+        assertThat(names(folder)).containsExactly("picture.png");
     }
 
     @Test
@@ -94,22 +94,22 @@ class PictureFileTest {
         write(target, 0.5);
 
         assertThat(Files.readAllBytes(target)).isEqualTo(png(0.5));
-        assertThat(names()).containsExactly("picture.png");
+        assertThat(names(folder)).containsExactly("picture.png");
     }
 
-    private List<String> names() throws IOException {
+    static List<String> names(Path folder) throws IOException {
         try (Stream<Path> files = Files.list(folder)) {
             return files.map(file -> file.getFileName().toString()).sorted().collect(Collectors.toList());
         }
     }
 
-    private static void write(Path path, double light) throws IOException {
+    static void write(Path path, double light) throws IOException {
         try (PictureFile file = new PictureFile(path)) {
             file.write(Pictures.plain(2, 2, light));
         }
     }
 
-    private static byte[] png(double light) throws IOException {
+    static byte[] png(double light) throws IOException {
         return Pictures.png(Pictures.plain(2, 2, light));
     }
 }
