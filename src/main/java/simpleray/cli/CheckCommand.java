@@ -13,7 +13,7 @@ import picocli.CommandLine.ParentCommand;
 import simpleray.image.png.PictureFormatException;
 import simpleray.render.SceneLint;
 import simpleray.scene.SceneFile;
-import simpleray.text.Problem;
+import simpleray.text.Diagnostic;
 import simpleray.text.SceneFormatException;
 
 /** Reads scene files and reports what is wrong or odd about them. */
@@ -44,7 +44,7 @@ final class CheckCommand implements Callable<Integer> {
         for (String scene : scenes) {
             try {
                 SceneFile file = SceneArgument.read(scene, main.in(), main.err(), outside.reach());
-                List<Problem> more = SceneLint.all(file, SceneArgument.told(scene));
+                List<Diagnostic> more = SceneLint.all(file, SceneArgument.told(scene));
                 more.forEach(main.err()::println);
                 int warnings = file.warnings().size() + more.size();
                 TextOutput.say(main, scene + ": good: " + count(file.scene().getNumberObjects(), "object") + ", "
@@ -62,7 +62,7 @@ final class CheckCommand implements Callable<Integer> {
 
     private int json() throws CommandException {
         int worst = ExitCode.DONE;
-        List<Problem> problems = new ArrayList<>();
+        List<Diagnostic> problems = new ArrayList<>();
         for (String scene : scenes) {
             String name = SceneArgument.told(scene);
             try {
@@ -73,11 +73,11 @@ final class CheckCommand implements Callable<Integer> {
                 problems.addAll(e.problems());
                 worst = Math.max(worst, ExitCode.BAD_SCENE);
             } catch (PictureFormatException e) {
-                problems.add(new Problem(name, 1, 1, true, e.fault(), null));
+                problems.add(new Diagnostic(name, 1, 1, true, e.fault(), null));
                 worst = Math.max(worst, ExitCode.BAD_SCENE);
             } catch (IOException e) {
                 String reason = e instanceof FileSystemException f ? f.getReason() : "cannot be read: " + e.getMessage();
-                problems.add(new Problem(name, 1, 1, true, reason, null));
+                problems.add(new Diagnostic(name, 1, 1, true, reason, null));
                 worst = Math.max(worst, ExitCode.NO_SCENE);
             }
         }

@@ -2,7 +2,7 @@ package simpleray.cli;
 
 import java.util.List;
 import java.util.stream.Collectors;
-import simpleray.text.Problem;
+import simpleray.text.Diagnostic;
 
 /** Writes problems as JSON (RFC 8259). */
 final class Json {
@@ -10,11 +10,11 @@ final class Json {
     }
 
     /** {@return an array of all problems, each on a line of its own} */
-    static String array(List<Problem> problems) {
+    static String array(List<Diagnostic> problems) {
         return problems.stream().map(Json::object).collect(Collectors.joining(",\n", "[", "]\n"));
     }
 
-    private static String object(Problem problem) {
+    private static String object(Diagnostic problem) {
         return "{\"file\":" + string(problem.file()) + ",\"line\":" + problem.line() + ",\"column\":" + problem.column()
             + ",\"severity\":" + (problem.error() ? "\"error\"" : "\"warning\"") + ",\"message\":" + string(problem.message()) + '}';
     }

@@ -8,7 +8,7 @@ import java.nio.file.Path;
 import simpleray.image.png.PictureFormatException;
 import simpleray.scene.Reach;
 import simpleray.scene.SceneFile;
-import simpleray.text.Problem;
+import simpleray.text.Diagnostic;
 import simpleray.text.SceneFormatException;
 
 /** Reads the scene that a command line names. */
@@ -50,7 +50,7 @@ final class SceneArgument {
         try {
             SceneFile file = open(name, in, reach);
             if (warnings != null) {
-                for (Problem warning : file.warnings()) {
+                for (Diagnostic warning : file.warnings()) {
                     warnings.println(warning);
                 }
             }

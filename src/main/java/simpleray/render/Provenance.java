@@ -9,7 +9,7 @@ import simpleray.scene.PictureScene;
 import simpleray.scene.SceneFile;
 import simpleray.scene.SceneSettings;
 import simpleray.scene.SimpleCamera;
-import simpleray.text.Problem;
+import simpleray.text.Diagnostic;
 
 /**
  * What a picture tells of how it was made: all that decides about its pixels, and nothing else. So two renderings of one scene with the
@@ -84,7 +84,7 @@ public final class Provenance {
             if (line.startsWith(SHEET)) {
                 int end = line.indexOf(':');
                 throw new PictureFormatException(told.file(), "is a sheet of several pictures, "
-                    + Problem.quoted(line.substring(SHEET.length(), end < 0 ? line.length() : end))
+                    + Diagnostic.quoted(line.substring(SHEET.length(), end < 0 ? line.length() : end))
                     + ": only single pictures can be verified");
             }
             if (line.equals(ADAPTIVE)) {
@@ -95,7 +95,7 @@ public final class Provenance {
                 stage = stage == null && line.startsWith(STAGE) ? stage(line.substring(STAGE.length())) : null;
                 if (stage == null) {
                     throw new PictureFormatException(told.file(), "was made with an option that this version does not know: "
-                        + Problem.quoted(line));
+                        + Diagnostic.quoted(line));
                 }
             }
         }
@@ -114,7 +114,7 @@ public final class Provenance {
         } catch (IllegalArgumentException e) {
             // as below
         }
-        throw new PictureFormatException(told.file(), "was made of a region that is none: " + Problem.quoted(text));
+        throw new PictureFormatException(told.file(), "was made of a region that is none: " + Diagnostic.quoted(text));
     }
 
     private static Stage stage(String name) {

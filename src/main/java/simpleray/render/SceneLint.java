@@ -23,7 +23,7 @@ import simpleray.scene.SceneFile;
 import simpleray.scene.Terms;
 import simpleray.scene.VisibilityTester;
 import simpleray.scene.WhittedIntegrator;
-import simpleray.text.Problem;
+import simpleray.text.Diagnostic;
 import simpleray.trace.CompiledScene;
 
 /**
@@ -56,7 +56,7 @@ public final class SceneLint {
     private final Scene scene;
     private final String name;
     private final Camera camera;
-    private final List<Problem> problems = new ArrayList<>();
+    private final List<Diagnostic> problems = new ArrayList<>();
     private final Seen seen = new Seen();
     private int rays;
     private int clipped;
@@ -100,7 +100,7 @@ public final class SceneLint {
      * @param name the file's name in messages
      * @return warnings, in the order of the file
      */
-    public static List<Problem> all(SceneFile file, String name) {
+    public static List<Diagnostic> all(SceneFile file, String name) {
         return file.scene().getNumberObjects() == 0 ? List.of() : new SceneLint(file, name).find(0);
     }
 
@@ -112,12 +112,12 @@ public final class SceneLint {
      * @param name the file's name in messages
      * @return warnings, in the order of the file
      */
-    public static List<Problem> striking(SceneFile file, String name) {
+    public static List<Diagnostic> striking(SceneFile file, String name) {
         int objects = file.scene().getNumberObjects();
         return objects == 0 || objects > MAX_OBJECTS ? List.of() : new SceneLint(file, name).find(STRIKING);
     }
 
-    private List<Problem> find(double tolerated) {
+    private List<Diagnostic> find(double tolerated) {
         trace();
         for (int i = seen.lights.nextClearBit(0); i < scene.getNumberLights(); i = seen.lights.nextClearBit(i + 1)) {
             warn(file.lineOfLight(i), "light " + (i + 1) + (scene.getLight(i).intensity.isBlack() ? " is black"
@@ -138,7 +138,7 @@ public final class SceneLint {
             warn(file.lineOfObject(brightestObject), "the picture is clipped where it is brighter than 1: " + clipped + " of " + rays
                 + " rays saw such colours, the brightest " + brightestPixel);
         }
-        problems.sort(Comparator.comparingInt(Problem::line));
+        problems.sort(Comparator.comparingInt(Diagnostic::line));
         return problems;
     }
 
@@ -156,7 +156,7 @@ public final class SceneLint {
     }
 
     private void warn(int line, String message) {
-        problems.add(new Problem(name, Math.max(1, line), 1, false, message, null));
+        problems.add(new Diagnostic(name, Math.max(1, line), 1, false, message, null));
     }
 
     private void trace() {

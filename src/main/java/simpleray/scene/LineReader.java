@@ -5,7 +5,7 @@ import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.List;
-import simpleray.text.Problem;
+import simpleray.text.Diagnostic;
 import simpleray.text.SceneFormatException;
 
 /**
@@ -158,7 +158,7 @@ final class LineReader {
     private SceneFormatException tooLong() {
         int from = lineStart(next);
         String text = decode(buffer, from, Math.min(next, from + 4 * SHOWN));
-        return new SceneFormatException(List.of(new Problem(file, number, 1, true, "expected a line of at most " + MAX_CHARACTERS
+        return new SceneFormatException(List.of(new Diagnostic(file, number, 1, true, "expected a line of at most " + MAX_CHARACTERS
             + " characters, found a longer one", text.substring(0, Math.min(text.length(), SHOWN)))), false);
     }
 
@@ -257,7 +257,7 @@ final class LineReader {
         return error(problem(start + at - begin, true, "expected " + wanted + ", found " + found));
     }
 
-    private static SceneFormatException error(Problem problem) {
+    private static SceneFormatException error(Diagnostic problem) {
         return new SceneFormatException(List.of(problem), false);
     }
 
@@ -270,12 +270,12 @@ final class LineReader {
     }
 
     /** {@return a warning at the start of the line} */
-    Problem warning(String message) {
+    Diagnostic warning(String message) {
         return problem(start, false, message);
     }
 
     /** {@return a problem at an index of the buffer, in the current line} */
-    private Problem problem(int place, boolean error, String message) {
+    private Diagnostic problem(int place, boolean error, String message) {
         int line = Math.max(1, firstNumber);
         for (int i = start; i < place; i++) {
             line += buffer[i] == '\n' || buffer[i] == '\r' && buffer[i + 1] != '\n' ? 1 : 0;
@@ -286,7 +286,7 @@ final class LineReader {
             to++;
         }
         String before = decode(buffer, from, place);
-        return new Problem(file, line, before.codePointCount(0, before.length()) + 1, error, message, decode(buffer, from, to));
+        return new Diagnostic(file, line, before.codePointCount(0, before.length()) + 1, error, message, decode(buffer, from, to));
     }
 
     /** {@return the start of the file's line that contains an index} */

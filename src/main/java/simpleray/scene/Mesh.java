@@ -6,7 +6,7 @@ import simpleray.math.Bounds;
 import simpleray.math.Point;
 import simpleray.math.Ray;
 import simpleray.math.Vector;
-import simpleray.text.Problem;
+import simpleray.text.Diagnostic;
 import simpleray.text.SceneFormatException;
 import simpleray.text.SceneReader;
 import simpleray.text.SceneWriter;
@@ -293,7 +293,7 @@ public final class Mesh extends Object {
     @Override
     public void write(SceneWriter os) throws IOException {
         if (file.isEmpty() || file.matches("(?s).*[\"\n\r].*")) {
-            throw new IllegalArgumentException("a scene file cannot name the file " + Problem.quoted(file));
+            throw new IllegalArgumentException("a scene file cannot name the file " + Diagnostic.quoted(file));
         }
         os.writeString('"' + file + "\" ");
         offset.write(os);

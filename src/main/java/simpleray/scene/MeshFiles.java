@@ -11,7 +11,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Function;
-import simpleray.text.Problem;
+import simpleray.text.Diagnostic;
 import simpleray.text.SceneFormatException;
 import simpleray.text.SceneReader;
 
@@ -67,7 +67,7 @@ final class MeshFiles {
             if (known != null) {
                 return known;
             }
-            List<Problem> problems = new ArrayList<>();
+            List<Diagnostic> problems = new ArrayList<>();
             try {
                 mesh = new TriangleMesh(ObjReader.read(path, problems::add,
                     digest -> read.add(new SourceText.MeshFile(name, digest))));
@@ -75,14 +75,14 @@ final class MeshFiles {
                 problems.addAll(e.problems());
             }
             meshes.put(key, mesh);                          // with errors too: they are reported once
-            for (Problem problem : problems) {
+            for (Diagnostic problem : problems) {
                 is.report(problem);
             }
         } catch (OutOfReachException e) {
             is.reject("OBJ file within the scene's folder (--allow-outside allows any)");
         } catch (FileSystemException e) {
             String reason = e.getReason() == null ? e.toString() : e.getReason();
-            is.reject("OBJ file that can be read (" + Problem.printable(e.getFile() + ": " + reason) + ')');
+            is.reject("OBJ file that can be read (" + Diagnostic.printable(e.getFile() + ": " + reason) + ')');
         } catch (InvalidPathException e) {
             is.reject("OBJ file that can be read (" + e.getReason() + ')');
         }

@@ -17,7 +17,7 @@ import simpleray.io.Sha256;
 import simpleray.text.Found;
 import simpleray.text.Numbers;
 import simpleray.text.Numerals;
-import simpleray.text.Problem;
+import simpleray.text.Diagnostic;
 import simpleray.text.SceneFormatException;
 
 /**
@@ -82,7 +82,7 @@ final class ObjReader {
     }
 
     /** Reads a file without its digest. */
-    static Triangles read(Path path, Consumer<Problem> warnings) throws IOException {
+    static Triangles read(Path path, Consumer<Diagnostic> warnings) throws IOException {
         return read(path, warnings, digest -> { });
     }
 
@@ -97,7 +97,7 @@ final class ObjReader {
      * @throws FileSystemException if it cannot be opened, with a readable reason
      * @throws IOException if it cannot be read
      */
-    static Triangles read(Path path, Consumer<Problem> warnings, Consumer<String> digest) throws IOException {
+    static Triangles read(Path path, Consumer<Diagnostic> warnings, Consumer<String> digest) throws IOException {
         if (Files.isDirectory(path)) {
             throw new FileSystemException(path.toString(), null, "is a folder");
         }
@@ -115,7 +115,7 @@ final class ObjReader {
     }
 
     /** Reads the text of an OBJ; messages call it by this name. */
-    static Triangles read(InputStream in, String name, Consumer<Problem> warnings) throws IOException {
+    static Triangles read(InputStream in, String name, Consumer<Diagnostic> warnings) throws IOException {
         ObjReader reader = new ObjReader(new LineReader(in, name));
         boolean more = reader.lines.read();
         if (more && MagicNumber.isUtf16(reader.lines.bytes, reader.lines.begin, reader.lines.end)) {
@@ -377,7 +377,7 @@ final class ObjReader {
         triangles[triangleEnd++] = corners[third];
     }
 
-    private Triangles triangles(Consumer<Problem> warnings) throws SceneFormatException {
+    private Triangles triangles(Consumer<Diagnostic> warnings) throws SceneFormatException {
         if (triangleEnd == 0) {
             throw lines.missing("a polygon that has an area");
         }
@@ -394,7 +394,7 @@ final class ObjReader {
         private final String one;
         private final String many;
         private int count;
-        private Problem first;
+        private Diagnostic first;
 
         PassedOver(String wanted, String one, String many) {
             this.wanted = wanted;
@@ -409,9 +409,9 @@ final class ObjReader {
             }
         }
 
-        void warn(Consumer<Problem> warnings) {
+        void warn(Consumer<Diagnostic> warnings) {
             if (count > 0) {
-                warnings.accept(new Problem(first.file(), first.line(), first.column(), false,
+                warnings.accept(new Diagnostic(first.file(), first.line(), first.column(), false,
                     "expected " + wanted + ", found " + count + ' ' + (count == 1 ? one : many), first.source()));
             }
         }

@@ -15,7 +15,7 @@ import simpleray.image.png.PngChunks;
 import simpleray.image.png.PngTextReader;
 import simpleray.io.Sha256;
 import simpleray.scene.SourceText.MeshFile;
-import simpleray.text.Problem;
+import simpleray.text.Diagnostic;
 
 /**
  * The description of how a picture was made, from the texts that its file carries. <em>Constant.</em>
@@ -74,7 +74,7 @@ public record PictureScene(String file, String software, SceneSettings settings,
         List<MeshFile> all = new ArrayList<>();
         for (String line : sums) {
             if (line.length() <= SUM + GAP.length() || !line.startsWith(GAP, SUM)) {
-                throw new PictureFormatException(file, "carries a digest that cannot be read: " + Problem.quoted(line));
+                throw new PictureFormatException(file, "carries a digest that cannot be read: " + Diagnostic.quoted(line));
             }
             all.add(new MeshFile(line.substring(SUM + GAP.length()), line.substring(0, SUM)));
         }
@@ -151,9 +151,9 @@ public record PictureScene(String file, String software, SceneSettings settings,
         }
         SceneFile read = SceneFile.read(text, name, folder, reach);
         read.scene().settings = read.scene().settings.under(settings);
-        List<Problem> warnings = new ArrayList<>(read.warnings());
+        List<Diagnostic> warnings = new ArrayList<>(read.warnings());
         for (String mesh : changed(read.text().meshes())) {
-            warnings.add(new Problem(name, 1, 1, false, "the mesh " + Problem.quoted(mesh) + " is not the one that the picture was made of",
+            warnings.add(new Diagnostic(name, 1, 1, false, "the mesh " + Diagnostic.quoted(mesh) + " is not the one that the picture was made of",
                 text.name()));
         }
         return new SceneFile(read.scene(), List.copyOf(warnings), read.text());

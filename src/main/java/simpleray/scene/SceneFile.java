@@ -16,7 +16,7 @@ import simpleray.image.PictureText;
 import simpleray.image.png.PngChunks;
 import simpleray.io.HashingInputStream;
 import simpleray.io.MagicNumber;
-import simpleray.text.Problem;
+import simpleray.text.Diagnostic;
 import simpleray.text.SceneFormatException;
 import simpleray.text.SceneReader;
 
@@ -27,7 +27,7 @@ import simpleray.text.SceneReader;
  * @param warnings the warnings, in the order of the file
  * @param text its text; null if it was not read
  */
-public record SceneFile(Scene scene, List<Problem> warnings, SourceText text) {
+public record SceneFile(Scene scene, List<Diagnostic> warnings, SourceText text) {
     private static final String STREAM = "<stdin>";
 
     /**
@@ -36,7 +36,7 @@ public record SceneFile(Scene scene, List<Problem> warnings, SourceText text) {
      * @param scene the scene
      * @param warnings the warnings
      */
-    public SceneFile(Scene scene, List<Problem> warnings) {
+    public SceneFile(Scene scene, List<Diagnostic> warnings) {
         this(scene, warnings, null);
     }
 
@@ -167,7 +167,7 @@ public record SceneFile(Scene scene, List<Problem> warnings, SourceText text) {
         String kind = MagicNumber.nameOf(begun);
         if (kind != null) {
             String message = "expected a scene, as text in UTF-8, found " + kind;
-            throw new SceneFormatException(List.of(new Problem(name, 1, 1, true, message, null)), false);
+            throw new SceneFormatException(List.of(new Diagnostic(name, 1, 1, true, message, null)), false);
         }
         HashingInputStream in = new HashingInputStream(begun, longestKept);
         SceneReader reader = new SceneReader(in, name, folder);

@@ -12,7 +12,7 @@ import java.util.TreeMap;
 import simpleray.math.Colour;
 import simpleray.text.SceneReader;
 import simpleray.text.SceneWriter;
-import simpleray.text.Span;
+import simpleray.text.SourceSpan;
 
 /**
  * The settings of camera and renderer, from a scene file or its user; null if not set. <em>Mutable.</em>
@@ -43,9 +43,9 @@ public final class SceneSettings {
     public Integer samples;
 
     /** The place of each keyword with its values in the file. */
-    final Map<String, Span> places = new TreeMap<>();
+    final Map<String, SourceSpan> places = new TreeMap<>();
     /** The place of the last value in the file, of a setting or before; null if no file was read. */
-    Span last;
+    SourceSpan last;
 
     /** Creates settings with nothing set. */
     public SceneSettings() {
@@ -150,12 +150,12 @@ public final class SceneSettings {
     /** Reads keywords and their values up to the first other word. */
     void read(SceneReader is) throws IOException {
         Set<String> seen = places.keySet();
-        last = Span.last(is);
+        last = SourceSpan.last(is);
         for (String word = is.takeKeyword(KEYWORDS); word != null; word = is.takeKeyword(KEYWORDS)) {
             if (!is.isFirstOnLine()) {
                 is.reject("keyword " + word + " on a line of its own");
             }
-            Span keyword = Span.last(is);
+            SourceSpan keyword = SourceSpan.last(is);
             if (seen.contains(word)) {
                 is.reject("keyword " + word + " only once");
             }
@@ -165,8 +165,8 @@ public final class SceneSettings {
             is.enter(word + "'s");
             readValue(is, word);
             is.leave();
-            last = Span.last(is);
-            places.put(word, new Span(keyword.start(), last.end()));
+            last = SourceSpan.last(is);
+            places.put(word, new SourceSpan(keyword.start(), last.end()));
         }
     }
 

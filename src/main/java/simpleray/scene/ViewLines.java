@@ -12,7 +12,7 @@ import java.util.List;
 import simpleray.text.Numbers;
 import simpleray.text.SceneReader;
 import simpleray.text.SceneWriter;
-import simpleray.text.Span;
+import simpleray.text.SourceSpan;
 
 /**
  * Edits the lines of a scene file that describe the camera: {@code camera}, or {@code window} and {@code cop}. All other bytes of the
@@ -66,7 +66,7 @@ public final class ViewLines {
      */
     public static byte[] put(byte[] bytes, Path path, SceneSettings view, Reach reach) throws IOException {
         Scene scene = new Scene();
-        try (SceneReader reader = Span.reader(bytes, path)) {
+        try (SceneReader reader = SourceSpan.reader(bytes, path)) {
             MeshFiles.of(reader, reach);
             scene.read(reader);
         }
@@ -88,21 +88,21 @@ public final class ViewLines {
             }
         }
         for (String keyword : gone) {
-            Span place = old.places.get(keyword);
+            SourceSpan place = old.places.get(keyword);
             String line = lines.isEmpty() ? "" : lines.remove(0);
             replace(place, (int) place.start() + keyword.length(), values(keyword, place), line);
         }
         insert((int) old.last.end(), lines);
     }
 
-    private List<Span> values(String keyword, Span place) throws IOException {
-        return new Span(place.start() + keyword.length(), place.end()).words(bytes);
+    private List<SourceSpan> values(String keyword, SourceSpan place) throws IOException {
+        return new SourceSpan(place.start() + keyword.length(), place.end()).words(bytes);
     }
 
     /** Replaces numbers, except equal ones. */
-    private void renumber(List<Span> words, String[] line) {
+    private void renumber(List<SourceSpan> words, String[] line) {
         for (int i = 0; i < words.size(); i++) {
-            Span word = words.get(i);
+            SourceSpan word = words.get(i);
             String now = text((int) word.start(), (int) word.end());
             if (Double.compare(Numbers.parseDouble(now), Double.parseDouble(line[i + 1])) != 0) {
                 edits.add(new Edit((int) word.start(), (int) word.end(), line[i + 1]));
@@ -111,10 +111,10 @@ public final class ViewLines {
     }
 
     /** Replaces a keyword and its values by a line; without a line, also removes lines of the file that become empty. */
-    private void replace(Span place, int keywordEnd, List<Span> words, String line) {
+    private void replace(SourceSpan place, int keywordEnd, List<SourceSpan> words, String line) {
         List<Edit> taken = new ArrayList<>();
         taken.add(new Edit((int) place.start(), keywordEnd, line));
-        for (Span word : words) {
+        for (SourceSpan word : words) {
             int start = (int) word.start();
             while (isBlank(start - 1)) {
                 start--;

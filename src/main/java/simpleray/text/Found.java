@@ -25,21 +25,21 @@ public final class Found {
      */
     public static String word(String word) {
         String why = Double.isNaN(Numbers.parseDouble(word)) ? why(word) : null;
-        return Problem.quoted(word) + (why == null ? "" : " (" + why + ')');
+        return Diagnostic.quoted(word) + (why == null ? "" : " (" + why + ')');
     }
 
     /** Says what was found instead of an integer between these. */
     static String integer(String word, long least, long most) {
         double value = Numbers.parseDouble(word);
         if (NO_INTEGER.matcher(word).matches()) {
-            return Problem.quoted(word) + " (an integer has only digits)";
+            return Diagnostic.quoted(word) + " (an integer has only digits)";
         }
         if (Double.isNaN(value)) {
             return word(word);
         }
         boolean told = most < Integer.MAX_VALUE;              // a narrower range is one of what is read, which says so itself
         String beyond = value < least / 2.0 + most / 2.0 ? " (less than " + least + ')' : " (more than " + most + ')';
-        return Problem.quoted(word) + (told ? "" : beyond);
+        return Diagnostic.quoted(word) + (told ? "" : beyond);
     }
 
     private static String why(String word) {
@@ -53,7 +53,7 @@ public final class Found {
         if (word.contains(NOT_DECODED)) {
             return "not UTF-8";
         }
-        int hidden = word.codePoints().filter(c -> Problem.isHidden(c) || Character.isISOControl(c)).findFirst().orElse(0);
+        int hidden = word.codePoints().filter(c -> Diagnostic.isHidden(c) || Character.isISOControl(c)).findFirst().orElse(0);
         if (hidden > 0) {
             return String.format(Locale.ROOT, "with the invisible character U+%04X", hidden);
         }

@@ -1,7 +1,7 @@
 package simpleray.text;
 
 /**
- * Remembers where a word is, at little cost for each: by offsets in the file while it is in the {@link Window}, by its {@link Place}
+ * Remembers where a word is, at little cost for each: by offsets in the file while it is in the {@link InputBuffer}, by its {@link Place}
  * from then on. <em>Mutable.</em>
  */
 final class Mark {

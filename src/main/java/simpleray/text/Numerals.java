@@ -116,6 +116,6 @@ public final class Numerals {
 
     /** {@return whether the word is known to end here} */
     private boolean isWhole(byte[] bytes) {
-        return Window.isBlank(bytes[end]) || bytes[end] == Words.COMMENT;
+        return InputBuffer.isBlank(bytes[end]) || bytes[end] == Tokenizer.COMMENT;
     }
 }

@@ -8,7 +8,7 @@ import java.nio.charset.StandardCharsets;
  * @param line the line, from 1
  * @param column the column, from 1; a character is one column
  * @param begins the column at which the text begins: 1 unless the line is long
- * @param text the line's UTF-8 on both sides of the place: all of it, or where it is cut {@link Window#CONTEXT} bytes
+ * @param text the line's UTF-8 on both sides of the place: all of it, or where it is cut {@link InputBuffer#CONTEXT} bytes
  * @param at where in the text the place is
  */
 record Place(int line, int column, int begins, byte[] text, int at) {

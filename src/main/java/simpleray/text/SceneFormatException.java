@@ -9,7 +9,7 @@ public final class SceneFormatException extends IOException {
     private static final long serialVersionUID = 1L;
 
     /** What is wrong, in the order of the file; never empty. */
-    private final transient List<Problem> problems;
+    private final transient List<Diagnostic> problems;
 
     /**
      * Creates the exception; its message is the whole report, each problem with its source line and caret.
@@ -17,8 +17,8 @@ public final class SceneFormatException extends IOException {
      * @param problems what is wrong, at least one
      * @param stopped true when reading stopped because there were too many errors
      */
-    public SceneFormatException(List<Problem> problems, boolean stopped) {
-        super(problems.stream().map(Problem::toString).collect(Collectors.joining("\n"))
+    public SceneFormatException(List<Diagnostic> problems, boolean stopped) {
+        super(problems.stream().map(Diagnostic::toString).collect(Collectors.joining("\n"))
             + (stopped ? "\n" + problems.size() + " errors: reading stopped here" : ""));
         this.problems = List.copyOf(problems);
     }
@@ -30,7 +30,7 @@ public final class SceneFormatException extends IOException {
     }
 
     /** {@return what is wrong, in the order of the file; never empty} */
-    public List<Problem> problems() {
+    public List<Diagnostic> problems() {
         return problems;
     }
 }

@@ -25,9 +25,9 @@ public final class SceneReader implements Closeable {
     private static final int BUFFER = 1 << 16;
     private static final Set<String> NO_KEYWORDS = Set.of();
 
-    private final Problems problems;
+    private final Diagnostics problems;
     private final Path folder;
-    final Words words;
+    final Tokenizer words;
     private final Map<Class<?>, Object> kept = new HashMap<>();
 
     /**
@@ -62,9 +62,9 @@ public final class SceneReader implements Closeable {
 
     /** Creates a reader that keeps so many bytes in memory, at least 4096. */
     SceneReader(InputStream is, String name, Path folder, int buffer) {
-        problems = new Problems(name);
+        problems = new Diagnostics(name);
         this.folder = folder;
-        words = new Words(is, buffer, problems);
+        words = new Tokenizer(is, buffer, problems);
     }
 
     /**
@@ -147,7 +147,7 @@ public final class SceneReader implements Closeable {
             if (Double.isNaN(value)) {
                 reject(field);
             } else if (value == 0 && Numbers.isTiny(word)) {
-                problems.warn(words.last(), field + ' ' + Problem.quoted(words.lastWord()) + " is too small for a number, and read as 0");
+                problems.warn(words.last(), field + ' ' + Diagnostic.quoted(words.lastWord()) + " is too small for a number, and read as 0");
             }
         }
         return value;
@@ -288,7 +288,7 @@ public final class SceneReader implements Closeable {
      * @param problem the error or warning
      * @throws SceneFormatException if that is one error too many
      */
-    public void report(Problem problem) throws SceneFormatException {
+    public void report(Diagnostic problem) throws SceneFormatException {
         problems.report(problem);
     }
 
@@ -299,7 +299,7 @@ public final class SceneReader implements Closeable {
      * @throws SceneFormatException if that is one error too many
      */
     public void rejectGroup(String wanted) throws SceneFormatException {
-        problems.note(words.group(), wanted, Problem.quoted(words.groupWords()));
+        problems.note(words.group(), wanted, Diagnostic.quoted(words.groupWords()));
     }
 
     /**
@@ -327,7 +327,7 @@ public final class SceneReader implements Closeable {
     }
 
     /** {@return the warnings so far, in the order of the file; the first thousand of them} */
-    public List<Problem> warnings() {
+    public List<Diagnostic> warnings() {
         return problems.warnings();
     }
 

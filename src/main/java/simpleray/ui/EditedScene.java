@@ -7,7 +7,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Collectors;
 import javax.swing.Action;
-import simpleray.text.Problem;
+import simpleray.text.Diagnostic;
 
 /**
  * The text of the window's scene between its file and the editor: reads it, renders it, writes it, and sees to it that nothing is lost
@@ -306,7 +306,7 @@ final class EditedScene {
     }
 
     /** Shows the place of a problem; that of one in a mesh is where the scene names the mesh. */
-    void goTo(Problem problem) {
+    void goTo(Diagnostic problem) {
         show(() -> {
             if (problem.file().equals(source.name())) {
                 editor.goTo(problem.line(), problem.column());

@@ -15,7 +15,7 @@ import simpleray.render.Renderer;
 import simpleray.scene.Scene;
 import simpleray.scene.SceneFile;
 import simpleray.scene.SceneSettings;
-import simpleray.text.Problem;
+import simpleray.text.Diagnostic;
 
 /**
  * One rendering for a window, on a thread of its own: reads the scene or takes the one that was read before, renders it, and leaves
@@ -27,14 +27,14 @@ final class Rendering {
     private final SceneSource source;
     private final RenderRequest request;
     private Rendering before;                                 // whose scene is rendered again; null if it is to be read
-    private final Findings known;                             // to be shown beside it in place of those of the scene; none for these
+    private final SceneReport known;                             // to be shown beside it in place of those of the scene; none for these
     private volatile Region region;                           // what comes first; null for nothing
     private volatile boolean alone;
     private final Pieces pieces = new Pieces();
     private final Thread thread;
 
     private volatile State state;
-    private volatile Findings findings = Findings.NONE;       // about the scene
+    private volatile SceneReport findings = SceneReport.NONE;       // about the scene
     private volatile String failure = "";                     // what was not rendered
     private volatile PreparedScene scene;
     private volatile SceneFile file;                          // that of the scene
@@ -67,7 +67,7 @@ final class Rendering {
 
     /** Reads a scene and renders it. */
     Rendering(SceneSource source, RenderRequest request, Region region, boolean alone) {
-        this(source, request, null, Findings.NONE, region, alone);
+        this(source, request, null, SceneReport.NONE, region, alone);
     }
 
     /**
@@ -76,11 +76,11 @@ final class Rendering {
      * @param before the other; it {@linkplain #hasScene has its scene}
      * @param known what is wrong with a scene that was to be read since, and is to be shown all the same; nothing for the other's own
      */
-    Rendering(Rendering before, Findings known, RenderRequest request, Region region, boolean alone) {
+    Rendering(Rendering before, SceneReport known, RenderRequest request, Region region, boolean alone) {
         this(before.source, request, before, known, region, alone);
     }
 
-    private Rendering(SceneSource source, RenderRequest request, Rendering before, Findings known, Region region, boolean alone) {
+    private Rendering(SceneSource source, RenderRequest request, Rendering before, SceneReport known, Region region, boolean alone) {
         this.source = source;
         this.request = request;
         this.before = before;
@@ -161,12 +161,12 @@ final class Rendering {
     }
 
     /** {@return the errors or warnings that have a place; each stands as it is in {@link #problems}} */
-    List<Problem> places() {
+    List<Diagnostic> places() {
         return findings.places();
     }
 
     /** {@return what is wrong with the scene: errors, or warnings once it was read} */
-    Findings findings() {
+    SceneReport findings() {
         return findings;
     }
 
@@ -248,12 +248,12 @@ final class Rendering {
             end = render(prepared());
             took = progress.elapsed(System.nanoTime());
             if (first && end == State.FINISHED && !cancelled) {   // what is odd about a picture that is whole
-                findings = Findings.ofWhole(file, source.name());
+                findings = SceneReport.ofWhole(file, source.name());
             }
         } catch (CancellationException e) {
             end = State.CANCELLED;
         } catch (IOException e) {
-            findings = Findings.of(e, source.name());
+            findings = SceneReport.of(e, source.name());
             end = State.FAILED;
         } catch (RuntimeException | Error e) {
             failure = OutOfMemory.isBehind(e) ? OutOfMemory.MESSAGE
@@ -272,7 +272,7 @@ final class Rendering {
         if (last == null) {
             SceneFile file = source.read();
             this.file = file;
-            findings = Findings.of(file.warnings());
+            findings = SceneReport.of(file.warnings());
             scene = new PreparedScene(file.scene());
         } else {
             last.cancel();

@@ -13,7 +13,7 @@ import org.fife.ui.rsyntaxtextarea.RSyntaxDocument;
 import org.fife.ui.rsyntaxtextarea.RSyntaxTextArea;
 import org.fife.ui.rsyntaxtextarea.SquiggleUnderlineHighlightPainter;
 import org.fife.ui.rtextarea.Gutter;
-import simpleray.text.Problem;
+import simpleray.text.Diagnostic;
 
 /** The text of a scene, coloured, with its problems marked. */
 final class SceneArea extends RSyntaxTextArea {
@@ -24,7 +24,7 @@ final class SceneArea extends RSyntaxTextArea {
     private final transient List<Mark> marks = new ArrayList<>();
 
     /** A marked piece of the text, which moves with it. */
-    private record Mark(Highlighter.Highlight place, Problem problem) {
+    private record Mark(Highlighter.Highlight place, Diagnostic problem) {
     }
 
     SceneArea() {
@@ -44,14 +44,14 @@ final class SceneArea extends RSyntaxTextArea {
     }
 
     /** Marks problems, each with a wavy line and a sign in the gutter, in place of those that were marked. */
-    void mark(List<Problem> problems, Gutter gutter) {
+    void mark(List<Diagnostic> problems, Gutter gutter) {
         marks.forEach(mark -> getHighlighter().removeHighlight(mark.place));
         marks.clear();
         gutter.removeAllTrackingIcons();
         SquiggleUnderlineHighlightPainter red = new SquiggleUnderlineHighlightPainter(new Color(0xE5443F));
         SquiggleUnderlineHighlightPainter amber = new SquiggleUnderlineHighlightPainter(new Color(0xD99A00));
         try {
-            for (Problem problem : problems) {
+            for (Diagnostic problem : problems) {
                 int from = offset(problem.line(), problem.column());
                 int to = wordEnd(from);
                 int shown = to > from ? from : Math.max(0, from - 1);     // at an end of the text: the character before it

@@ -8,7 +8,7 @@ import javax.swing.SwingUtilities;
 import javax.swing.event.DocumentEvent;
 import javax.swing.event.DocumentListener;
 import org.fife.ui.rtextarea.RTextScrollPane;
-import simpleray.text.Problem;
+import simpleray.text.Diagnostic;
 
 /** The scene's text with its line numbers, and below it a line for finding. It knows nothing of files. */
 final class SceneEditor extends JPanel {
@@ -73,7 +73,7 @@ final class SceneEditor extends JPanel {
         area.setCaretPosition(0);
     }
 
-    void mark(List<Problem> problems) {
+    void mark(List<Diagnostic> problems) {
         area.mark(problems, scroll.getGutter());
     }
 

@@ -103,7 +103,7 @@ public final class SimpleRay extends ZoomedComponent implements Runnable {
         if (again && (ended || rendering.hasScene() && (shown || rendering.age(System.nanoTime()) > MAX_WAIT))) {
             Rendering last = lastRead();
             if (last != null) {
-                Findings known = last == rendering ? Findings.NONE : rendering.findings();
+                SceneReport known = last == rendering ? SceneReport.NONE : rendering.findings();
                 begin(new Rendering(last, known, request, regions.region(), regions.isAlone()), shown && request == rendering.request());
             }
             again = false;

@@ -26,7 +26,7 @@ final class ViewerFrame extends JFrame {
 
     private final transient SimpleRay picture;
     private final transient EditedScene scene = new EditedScene(this);
-    private final ProblemsPane problems = new ProblemsPane(scene::goTo);
+    private final DiagnosticsPane problems = new DiagnosticsPane(scene::goTo);
     private final Banner banner = new Banner();
     private final JSplitPane split;
     private final JSplitPane beside = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT);

@@ -14,7 +14,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import simpleray.Project;
 import simpleray.scene.SceneFile;
-import simpleray.text.Problem;
+import simpleray.text.Diagnostic;
 
 /** What is odd about a picture is told with the line of what makes it so. */
 class SceneLintTest {
@@ -30,7 +30,7 @@ class SceneLintTest {
 
     private static List<String> warnings(String text) throws IOException {
         SceneFile file = SceneFile.read(new ByteArrayInputStream(text.getBytes(StandardCharsets.UTF_8)));
-        return SceneLint.all(file, "a").stream().map(Problem::toString).toList();
+        return SceneLint.all(file, "a").stream().map(Diagnostic::toString).toList();
     }
 
     @Test
@@ -42,7 +42,7 @@ class SceneLintTest {
     void theThesissSecondLightReachesNothing() throws IOException {
         SceneFile thesis = SceneFile.read(Project.scene("thesis"));
 
-        assertThat(SceneLint.all(thesis, "thesis.scene")).extracting(Problem::toString)
+        assertThat(SceneLint.all(thesis, "thesis.scene")).extracting(Diagnostic::toString)
             .containsExactly("thesis.scene:55:1: warning: light 2 reaches nothing of what 18496 rays saw");
     }
 
@@ -126,9 +126,9 @@ class SceneLintTest {
         SceneFile much = SceneFile.read(new ByteArrayInputStream(spot.replace("2 2 2", "3 3 3").replace("0.05", "1")
             .getBytes(StandardCharsets.UTF_8)));
 
-        assertThat(SceneLint.all(little, "a")).singleElement().extracting(Problem::line).isEqualTo(3);
+        assertThat(SceneLint.all(little, "a")).singleElement().extracting(Diagnostic::line).isEqualTo(3);
         assertThat(SceneLint.striking(little, "a")).isEmpty();
-        assertThat(SceneLint.striking(much, "a")).singleElement().extracting(Problem::line).isEqualTo(3);
+        assertThat(SceneLint.striking(much, "a")).singleElement().extracting(Diagnostic::line).isEqualTo(3);
     }
 
     @Test

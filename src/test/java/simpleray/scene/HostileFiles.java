@@ -8,7 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 import simpleray.Project;
 import simpleray.image.png.PictureFormatException;
-import simpleray.text.Problem;
+import simpleray.text.Diagnostic;
 import simpleray.text.SceneFormatException;
 
 /**
@@ -48,7 +48,7 @@ final class HostileFiles {
 
     /** {@return what is said of a file, without the folder} */
     static String outcome(Path file) throws IOException {
-        List<Problem> warnings = new ArrayList<>();
+        List<Diagnostic> warnings = new ArrayList<>();
         String result;
         try {
             result = file.toString().endsWith(".obj") ? "accepted: " + ObjReader.read(file, warnings::add).count() + " triangles"
@@ -61,7 +61,7 @@ final class HostileFiles {
         return all.toString().replace(file.getParent() + "/", "");
     }
 
-    private static String scene(SceneFile file, List<Problem> warnings) {
+    private static String scene(SceneFile file, List<Diagnostic> warnings) {
         warnings.addAll(file.warnings());
         return "accepted: " + ObjectKind.TABLE.counted(file.scene().getNumberObjects()) + ", "
             + LightKind.TABLE.counted(file.scene().getNumberLights());

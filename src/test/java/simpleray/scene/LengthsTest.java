@@ -7,7 +7,7 @@ import static simpleray.text.SceneText.reader;
 import java.io.IOException;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import simpleray.text.Problem;
+import simpleray.text.Diagnostic;
 import simpleray.text.SceneFormatException;
 
 /** The largest numbers that a shape may have are good, and the next ones are not. */
@@ -40,7 +40,7 @@ class LengthsTest {
         SceneFormatException e = catchThrowableOfType(SceneFormatException.class, () -> read(object.strip()));
 
         assertThat(e.problems()).hasSize(1);
-        assertThat(e.problems().get(0)).extracting(Problem::message).asString().startsWith("expected object 1's " + message + ", found '");
+        assertThat(e.problems().get(0)).extracting(Diagnostic::message).asString().startsWith("expected object 1's " + message + ", found '");
     }
 
     @ParameterizedTest

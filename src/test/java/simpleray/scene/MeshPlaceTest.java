@@ -17,7 +17,7 @@ import simpleray.math.Bounds;
 import simpleray.math.Point;
 import simpleray.math.Ray;
 import simpleray.math.Vector;
-import simpleray.text.Problem;
+import simpleray.text.Diagnostic;
 import simpleray.text.SceneFormatException;
 
 /** A mesh where it stands: moved and scaled along each axis in its own way. */
@@ -80,7 +80,7 @@ class MeshPlaceTest {
         SceneFormatException e = catchThrowableOfType(SceneFormatException.class, () -> new Scene().read(reader(text)));
 
         assertThat(e.problems()).as("with that of the missing file").hasSize(good ? 1 : 2);
-        assertThat(e.problems()).last().extracting(Problem::message).asString()
+        assertThat(e.problems()).last().extracting(Diagnostic::message).asString()
             .startsWith(good ? "expected object 1's OBJ file" : "expected object 1's scale from -1e60 to 1e60, found '" + scale + "'");
     }
 

@@ -16,7 +16,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import simpleray.math.Point;
-import simpleray.text.Problem;
+import simpleray.text.Diagnostic;
 import simpleray.text.SceneFormatException;
 import simpleray.text.SceneReader;
 
@@ -146,7 +146,7 @@ class MeshTextTest {
     void trianglesWithoutAreaAreAWarningOfTheScene() throws IOException {
         Path obj = Files.writeString(folder.resolve("flat.obj"), "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nf 1 2 3 4\nf 1 1 2\n");
         SceneFile file = SceneFile.read(Files.writeString(scene, "1\n4 \"flat.obj\" 0 0 0 1 " + END));
-        assertThat(file.warnings()).extracting(Problem::toString).containsExactly(
+        assertThat(file.warnings()).extracting(Diagnostic::toString).containsExactly(
             obj + ":5:1: warning: expected triangles that have an area, found 2 without, which are skipped\nf 1 2 3 4\n^");
         assertThat(((Mesh) file.scene().getObject(0)).size()).isEqualTo(1);
     }

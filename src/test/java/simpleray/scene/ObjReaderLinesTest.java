@@ -13,7 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import simpleray.text.Problem;
+import simpleray.text.Diagnostic;
 import simpleray.text.SceneFormatException;
 
 /** OBJ files of many polygons, long lines and all kinds of line ends. */
@@ -21,7 +21,7 @@ class ObjReaderLinesTest {
     private static final String THREE = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
     private static final int LONGEST = 1 << 20;
 
-    private final List<Problem> warnings = new ArrayList<>();
+    private final List<Diagnostic> warnings = new ArrayList<>();
 
     private Triangles read(String obj) throws IOException {
         return ObjReader.read(new ByteArrayInputStream(obj.getBytes(StandardCharsets.UTF_8)), "a.obj", warnings::add);
@@ -100,7 +100,7 @@ class ObjReaderLinesTest {
         }, "a.obj", warnings::add);
 
         assertThat(one.corners()).containsExactly(0, 1, 2);
-        assertThat(warnings).extracting(Problem::line).containsExactly(7);
+        assertThat(warnings).extracting(Diagnostic::line).containsExactly(7);
     }
 
     @Test

@@ -17,7 +17,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import simpleray.io.Sha256;
-import simpleray.text.Problem;
+import simpleray.text.Diagnostic;
 import simpleray.text.SceneFormatException;
 
 /** OBJ files, right and wrong. */
@@ -26,7 +26,7 @@ class ObjReaderTest {
 
     @TempDir
     private Path folder;
-    private final List<Problem> warnings = new ArrayList<>();
+    private final List<Diagnostic> warnings = new ArrayList<>();
 
     private Triangles read(String text) throws IOException {
         return ObjReader.read(Files.writeString(folder.resolve("a.obj"), text), warnings::add);
@@ -236,7 +236,7 @@ class ObjReaderTest {
     @Test
     void aTriangleWithoutAreaIsSkippedWithOneWarning() throws IOException {
         assertThat(read(THREE + "f 1 2 3\nf 1 2 2\nf 1 2 3\n").count()).isEqualTo(2);
-        assertThat(warnings).extracting(Problem::toString).containsExactly(folder.resolve("a.obj")
+        assertThat(warnings).extracting(Diagnostic::toString).containsExactly(folder.resolve("a.obj")
             + ":5:1: warning: expected triangles that have an area, found 1 without, which is skipped\nf 1 2 2\n^");
     }
 

@@ -20,7 +20,7 @@ import simpleray.image.png.PictureFormatException;
 import simpleray.image.png.PngWriter;
 import simpleray.io.Sha256;
 import simpleray.scene.SourceText.MeshFile;
-import simpleray.text.Problem;
+import simpleray.text.Diagnostic;
 import simpleray.text.SceneFormatException;
 
 class PictureSceneTest {
@@ -74,7 +74,7 @@ class PictureSceneTest {
         assertThat(opened.scene().ambient).hasToString("(0.5,0.5,0.5)");
         assertThat(opened.scene().settings.depth).isEqualTo(7);
         assertThat(opened.scene().settings.resolution).isEqualTo(new SceneSettings.Resolution(3, 2));
-        assertThat(opened.warnings()).extracting(Problem::headline).containsExactly(file
+        assertThat(opened.warnings()).extracting(Diagnostic::headline).containsExactly(file
             + ":2:1: warning: expected a value or a comment, found the heading 'ambient', which is skipped");
         assertThat(opened.text().name()).isEqualTo("dark.scene");
         assertThat(opened.text().sha256()).isEqualTo(TEXT.sha256());
@@ -143,7 +143,7 @@ class PictureSceneTest {
             texts.set(2, new PictureText("simpleray.sha256", sums));
             write(texts);
             assertFault(sums.isEmpty() ? "carries no digest of its scene"
-                : "carries a digest that cannot be read: " + Problem.quoted(sums), () -> PictureScene.read(file));
+                : "carries a digest that cannot be read: " + Diagnostic.quoted(sums), () -> PictureScene.read(file));
         }
         write(PictureScene.texts("SimpleRay 1", "stage final\ndepth many\n", TEXT));
         assertThatThrownBy(() -> PictureScene.read(file)).isInstanceOf(SceneFormatException.class).hasMessage(file

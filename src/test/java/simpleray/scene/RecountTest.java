@@ -8,7 +8,7 @@ import java.nio.charset.StandardCharsets;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import simpleray.text.Problem;
+import simpleray.text.Diagnostic;
 import simpleray.text.SceneFormatException;
 
 /** A file that announces other numbers of objects or lights than follow is told the right ones. */
@@ -30,7 +30,7 @@ class RecountTest {
     void theRightNumberOfLightsIsTold(int announced, int there) {
         SceneFormatException e = refusal(scene(1, SPHERE, announced, LIGHT.repeat(there)));
 
-        assertThat(e.problems()).extracting(Problem::message)
+        assertThat(e.problems()).extracting(Diagnostic::message)
             .containsExactly("expected the number of lights to be " + there + ", as many as follow, found '" + announced + "'");
         assertThat(e.problems().get(0).line()).isEqualTo(4);
     }
@@ -40,14 +40,14 @@ class RecountTest {
     void theRightNumberOfObjectsIsTold(int announced, int there) {
         SceneFormatException e = refusal(scene(announced, SPHERE.repeat(there), 1, LIGHT));
 
-        assertThat(e.problems()).extracting(Problem::message)
+        assertThat(e.problems()).extracting(Diagnostic::message)
             .containsExactly("expected the number of objects to be " + there + ", as many as follow, found '" + announced + "'");
         assertThat(e.problems().get(0).line()).isEqualTo(1);
     }
 
     @Test
     void bothMayBeWrong() {
-        assertThat(refusal(scene(3, SPHERE, 2, LIGHT)).problems()).extracting(Problem::message).containsExactly(
+        assertThat(refusal(scene(3, SPHERE, 2, LIGHT)).problems()).extracting(Diagnostic::message).containsExactly(
             "expected the number of objects to be 1, as many as follow, found '3'",
             "expected the number of lights to be 1, as many as follow, found '2'");
     }
@@ -55,13 +55,13 @@ class RecountTest {
     /** An ambient light of 0 0 0, the number of lights and a light read as a sphere that is cut off. */
     @Test
     void anAmbientLightThatLooksLikeASphereIsNotTakenForOne() {
-        assertThat(refusal("2\n" + SPHERE + "0 0 0\n1\n" + LIGHT).problems()).extracting(Problem::message)
+        assertThat(refusal("2\n" + SPHERE + "0 0 0\n1\n" + LIGHT).problems()).extracting(Diagnostic::message)
             .containsExactly("expected the number of objects to be 1, as many as follow, found '2'");
     }
 
     @Test
     void settingsBehindTheLightsStayWhatTheyAre() {
-        assertThat(refusal(scene(2, SPHERE, 1, LIGHT + "depth 3\n")).problems()).extracting(Problem::message)
+        assertThat(refusal(scene(2, SPHERE, 1, LIGHT + "depth 3\n")).problems()).extracting(Diagnostic::message)
             .containsExactly("expected the number of objects to be 1, as many as follow, found '2'");
     }
 
@@ -69,7 +69,7 @@ class RecountTest {
     void whatWouldBeWrongWithAnyNumbersIsToldAsItWasFound() {
         SceneFormatException e = refusal(scene(2, SPHERE, 1, "0  1 x 1  0 5 0\n"));
 
-        assertThat(e.problems()).extracting(Problem::message).containsExactly("expected object 2's type (" + Kinds.objects()
+        assertThat(e.problems()).extracting(Diagnostic::message).containsExactly("expected object 2's type (" + Kinds.objects()
             + "; 2 objects announced), found '0.3' (an integer has only digits)");
     }
 
@@ -77,6 +77,6 @@ class RecountTest {
     void aFileThatIsCutOffIsNotTakenForOneWithoutLights() {
         SceneFormatException e = refusal("2\n" + SPHERE + "0 0 0 -3");
 
-        assertThat(e.problems()).extracting(Problem::message).containsExactly("expected object 2's radius, found the end of the file");
+        assertThat(e.problems()).extracting(Diagnostic::message).containsExactly("expected object 2's radius, found the end of the file");
     }
 }

@@ -8,7 +8,7 @@ import java.nio.file.Files;
 import java.util.Arrays;
 import org.junit.jupiter.api.Test;
 import simpleray.Project;
-import simpleray.text.Problem;
+import simpleray.text.Diagnostic;
 import simpleray.text.SceneFormatException;
 
 class SceneFilePrefixesTest {
@@ -25,7 +25,7 @@ class SceneFilePrefixesTest {
             if (length >= whole) {
                 assertThat(e).as(length + " bytes").isNull();
             } else if (e != null) {                           // null where the last number is cut and still is one
-                Problem last = e.problems().get(e.problems().size() - 1);
+                Diagnostic last = e.problems().get(e.problems().size() - 1);
                 boolean oneLight = last.message().equals("expected the number of lights to be 1, as many as follow, found '2'");
                 assertThat(last.line()).as(length + " bytes").isEqualTo(oneLight ? COUNT_OF_LIGHTS : lines + 1);
             }

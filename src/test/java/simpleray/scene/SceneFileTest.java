@@ -11,7 +11,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import simpleray.text.Problem;
+import simpleray.text.Diagnostic;
 import simpleray.text.SceneFormatException;
 
 class SceneFileTest {
@@ -27,7 +27,7 @@ class SceneFileTest {
         SceneFile file = SceneFile.read(path);
 
         assertThat(file.scene().ambient).hasToString("(0.5,0.5,0.5)");
-        assertThat(file.warnings()).extracting(Problem::headline).containsExactly(path
+        assertThat(file.warnings()).extracting(Diagnostic::headline).containsExactly(path
             + ":2:1: warning: expected a value or a comment, found the heading 'ambient colour', which is skipped");
     }
 
@@ -42,7 +42,7 @@ class SceneFileTest {
         });
 
         assertThat(file.scene().ambient).hasToString("(0.5,0.5,0.5)");
-        assertThat(file.warnings()).singleElement().extracting(Problem::file).isEqualTo("<stdin>");
+        assertThat(file.warnings()).singleElement().extracting(Diagnostic::file).isEqualTo("<stdin>");
         assertThat(closed).containsExactly(false);
     }
 
@@ -51,7 +51,7 @@ class SceneFileTest {
         SceneFile file = SceneFile.parse(LIT);
 
         assertThat(file.scene().ambient).hasToString("(0.5,0.5,0.5)");
-        assertThat(file.warnings()).singleElement().extracting(Problem::file).isEqualTo("scene");
+        assertThat(file.warnings()).singleElement().extracting(Diagnostic::file).isEqualTo("scene");
         assertThatThrownBy(() -> SceneFile.parse("none")).isInstanceOf(SceneFormatException.class)
             .hasMessageStartingWith("scene:1:5: error: expected the number of objects, found the end of the file");
     }
@@ -65,7 +65,7 @@ class SceneFileTest {
         SceneFile file = SceneFile.read(new ByteArrayInputStream(text.getBytes(StandardCharsets.UTF_8)), path, Reach.FOLDER);
 
         assertThat(file.scene().getObject(0)).isInstanceOfSatisfying(Mesh.class, mesh -> assertThat(mesh.size()).isEqualTo(1));
-        assertThat(file.warnings()).singleElement().extracting(Problem::file).isEqualTo(path.toString());
+        assertThat(file.warnings()).singleElement().extracting(Diagnostic::file).isEqualTo(path.toString());
         assertThat(file.text().name()).isEqualTo("unsaved.scene");
         assertThat(file.text().bytes()).asString(StandardCharsets.UTF_8).isEqualTo(text);
         assertThat(file.text().meshes()).extracting(SourceText.MeshFile::name).containsExactly("a.obj");

@@ -9,7 +9,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.stream.Stream;
 import simpleray.image.png.PictureFormatException;
-import simpleray.text.Problem;
+import simpleray.text.Diagnostic;
 import simpleray.text.SceneFormatException;
 
 /**
@@ -79,7 +79,7 @@ public final class SceneFuzzer {
         }
     }
 
-    private static void check(Problem problem, boolean error) {
+    private static void check(Diagnostic problem, boolean error) {
         boolean complete = problem.line() >= 1 && problem.column() >= 1 && problem.error() == error
             && (!error || problem.message().startsWith("expected ") && problem.message().contains(", found "));
         if (!complete) {

@@ -8,7 +8,7 @@ import java.io.IOException;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import simpleray.text.Problem;
+import simpleray.text.Diagnostic;
 import simpleray.text.SceneReader;
 
 /** Counts and codes that do not fit what follows, and what may stand around a scene. */
@@ -111,7 +111,7 @@ class SceneReadCountsTest {
             + "Background\ntransmit 1 1 1 1\n# the end");
         new Scene().read(is);
 
-        assertThat(is.warnings()).extracting(Problem::line).containsExactly(1, 4, 6, 8, 10, 11);
+        assertThat(is.warnings()).extracting(Diagnostic::line).containsExactly(1, 4, 6, 8, 10, 11);
     }
 
     private static void read(String text) throws IOException {

@@ -8,7 +8,7 @@ import static simpleray.text.SceneText.reader;
 import java.io.IOException;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import simpleray.text.Problem;
+import simpleray.text.Diagnostic;
 import simpleray.text.SceneFormatException;
 import simpleray.text.SceneReader;
 
@@ -23,10 +23,10 @@ class SceneReadVastTest {
         SceneFormatException e = catchThrowableOfType(SceneFormatException.class,
             () -> read("2\n0" + " *".repeat(14) + "\n0" + " *".repeat(14) + '\n' + AMBIENT + "0"));
 
-        assertThat(e.problems()).hasSize(20).first().extracting(Problem::message)
+        assertThat(e.problems()).hasSize(20).first().extracting(Diagnostic::message)
             .isEqualTo("expected object 1's centre x, found '*'");
         // the fifteenth is the first of the second object, so that the twentieth is its sixth
-        assertThat(e.problems()).last().extracting(Problem::message).isEqualTo("expected object 2's ambient green, found '*'");
+        assertThat(e.problems()).last().extracting(Diagnostic::message).isEqualTo("expected object 2's ambient green, found '*'");
         assertThat(e).hasMessageEndingWith("\n20 errors: reading stopped here");
     }
 

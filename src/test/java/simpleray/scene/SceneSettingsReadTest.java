@@ -13,7 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import simpleray.math.Colour;
-import simpleray.text.Problem;
+import simpleray.text.Diagnostic;
 import simpleray.text.SceneReader;
 
 /** What a scene file may say after its last light. */
@@ -87,7 +87,7 @@ class SceneSettingsReadTest {
         assertThat(scene.settings.resolution).isEqualTo(new SceneSettings.Resolution(4, 5));
         assertThat(scene.settings.samples).isEqualTo(2);
         assertThat(scene.settings.depth).as("a misspelt keyword is a heading").isNull();
-        assertThat(is.warnings()).extracting(Problem::toString).containsExactly("""
+        assertThat(is.warnings()).extracting(Diagnostic::toString).containsExactly("""
             <stdin>:4:1: warning: expected a value or a comment, found the heading 'Size of the picture', which is skipped
             Size of the picture
             ^""", """
@@ -106,7 +106,7 @@ class SceneSettingsReadTest {
         scene.read(is);
 
         assertThat(SceneBits.of(scene.settings)).containsOnlyNulls();
-        assertThat(is.warnings()).extracting(Problem::line).containsExactly(1, 3, 5);
+        assertThat(is.warnings()).extracting(Diagnostic::line).containsExactly(1, 3, 5);
     }
 
     @Test

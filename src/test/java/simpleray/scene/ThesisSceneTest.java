@@ -9,7 +9,7 @@ import java.nio.charset.StandardCharsets;
 import org.junit.jupiter.api.Test;
 import simpleray.math.Colour;
 import simpleray.math.Ray;
-import simpleray.text.Problem;
+import simpleray.text.Diagnostic;
 import simpleray.text.SceneReader;
 
 class ThesisSceneTest {
@@ -27,7 +27,7 @@ class ThesisSceneTest {
         try (SceneReader is = ThesisScene.reader()) {
             new Scene().read(is);
 
-            assertThat(is.warnings()).extracting(Problem::toString).containsExactly("""
+            assertThat(is.warnings()).extracting(Diagnostic::toString).containsExactly("""
                 thesis.scene:1:1: warning: expected a value or a comment, found the heading 'number of objects', which is skipped
                 number of objects
                 ^""", """

@@ -15,7 +15,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import simpleray.scene.PerspectiveCamera.Pose;
 import simpleray.scene.SceneSettings.Window;
 import simpleray.text.SceneFormatException;
-import simpleray.text.Span;
+import simpleray.text.SourceSpan;
 
 /** A camera put into the text of a scene. */
 class ViewLinesTest {
@@ -106,7 +106,7 @@ class ViewLinesTest {
             Pose pose = new Pose(any(random), any(random), any(random), any(random), any(random), any(random), 179 * random.nextDouble());
             text = put(text, view(pose));
             Scene scene = new Scene();
-            scene.read(Span.reader(text.getBytes(StandardCharsets.UTF_8), ROOM));
+            scene.read(SourceSpan.reader(text.getBytes(StandardCharsets.UTF_8), ROOM));
             assertThat(scene.settings.camera).isEqualTo(pose);
             assertThat(text).startsWith(SCENE + "\ncamera ").endsWith("\n# end\n");
         }
@@ -138,7 +138,7 @@ class ViewLinesTest {
 
     private static Scene read(byte[] text, Path path) throws IOException {
         Scene scene = new Scene();
-        scene.read(Span.reader(text, path));
+        scene.read(SourceSpan.reader(text, path));
         return scene;
     }
 

@@ -71,7 +71,7 @@ class SceneReaderErrorsTest {
 
         SceneFormatException stopped = catchThrowableOfType(SceneFormatException.class, is::readDouble);
 
-        assertThat(stopped.problems()).hasSize(20).extracting(Problem::line).startsWith(1, 2).endsWith(20);
+        assertThat(stopped.problems()).hasSize(20).extracting(Diagnostic::line).startsWith(1, 2).endsWith(20);
         assertThat(stopped).hasMessageEndingWith(
             "\n<stdin>:20:1: error: expected a number, found '*'\n*\n^\n20 errors: reading stopped here");
     }

@@ -21,7 +21,7 @@ class SceneReaderHeadingsTest {
 
         assertThat(is.readInt()).isEqualTo(9);
         assertThat(is.readDouble()).isEqualTo(0.5);
-        assertThat(is.warnings().stream().map(Problem::toString).collect(Collectors.toList())).containsExactly("""
+        assertThat(is.warnings().stream().map(Diagnostic::toString).collect(Collectors.toList())).containsExactly("""
             <stdin>:1:1: warning: expected a value or a comment, found the heading 'number of objects', which is skipped
             number of objects
             ^""", """
@@ -45,7 +45,7 @@ class SceneReaderHeadingsTest {
         SceneReader is = reader(line + "\n7");
 
         assertThat(is.readInt()).isEqualTo(7);
-        assertThat(is.warnings()).singleElement().extracting(Problem::headline).isEqualTo(
+        assertThat(is.warnings()).singleElement().extracting(Diagnostic::headline).isEqualTo(
             "<stdin>:1:1: warning: expected a value or a comment, found the heading '" + line + "', which is skipped");
     }
 
@@ -94,7 +94,7 @@ class SceneReaderHeadingsTest {
         assertThat(is.takeKeyword(KEYWORDS)).isNull();
 
         assertThat(is.readInt()).isEqualTo(2);
-        assertThat(is.warnings()).extracting(Problem::line).containsExactly(1, 3, 4);
+        assertThat(is.warnings()).extracting(Diagnostic::line).containsExactly(1, 3, 4);
     }
 
     @Test
@@ -114,7 +114,7 @@ class SceneReaderHeadingsTest {
         SceneReader is = reader("Call me Ishmael.\n".repeat(MAX_WARNINGS + 1) + "1");
 
         assertThat(is.readInt()).isEqualTo(1);
-        assertThat(is.warnings()).hasSize(MAX_WARNINGS).last().extracting(Problem::line).isEqualTo(MAX_WARNINGS);
+        assertThat(is.warnings()).hasSize(MAX_WARNINGS).last().extracting(Diagnostic::line).isEqualTo(MAX_WARNINGS);
     }
 
     @Test
@@ -122,7 +122,7 @@ class SceneReaderHeadingsTest {
         SceneReader is = reader("x".repeat(61) + "\n" + "y".repeat(60) + "\n1");
         is.readInt();
 
-        assertThat(is.warnings()).extracting(Problem::message).containsExactly(
+        assertThat(is.warnings()).extracting(Diagnostic::message).containsExactly(
             "expected a value or a comment, found the heading '" + "x".repeat(60) + "...', which is skipped",
             "expected a value or a comment, found the heading '" + "y".repeat(60) + "', which is skipped");
     }

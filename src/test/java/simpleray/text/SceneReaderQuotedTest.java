@@ -60,10 +60,10 @@ class SceneReaderQuotedTest {
 
     @Test
     void problemsOfOtherFilesCountAmongTheOwn() throws IOException {
-        Problem bad = new Problem("b.obj", 2, 1, true, "expected more, found less", "x");
+        Diagnostic bad = new Diagnostic("b.obj", 2, 1, true, "expected more, found less", "x");
         SceneReader is = reader("y");
         is.tolerate(2);
-        is.report(new Problem("b.obj", 1, 1, false, "expected less, found more", "x"));
+        is.report(new Diagnostic("b.obj", 1, 1, false, "expected less, found more", "x"));
         is.report(bad);
 
         assertThat(is.warnings()).hasSize(1);

@@ -104,7 +104,7 @@ class SceneReaderWindowTest {
         assertThat(is.readDouble()).isEqualTo(4);
         assertThat(is.readQuoted("")).isEqualTo("a b");
         assertThat(is.readDouble()).isEqualTo(5);
-        assertThat(is.warnings()).singleElement().extracting(Problem::headline)
+        assertThat(is.warnings()).singleElement().extracting(Diagnostic::headline)
             .isEqualTo("f:5:1: warning: expected a value or a comment, found the heading 'heading " + SMILE + "', which is skipped");
         assertThatThrownBy(is::readDouble).hasMessage("f:6:5: error: expected a number, found '\u7269'\n5e0 \u7269\n    ^");
     }
@@ -212,7 +212,7 @@ class SceneReaderWindowTest {
         SceneReader is = open("Call" + " me".repeat(2 * SIZE) + "\nIshmael" + " ".repeat(2 * SIZE) + "\n1");
 
         assertThat(is.readInt()).isEqualTo(1);
-        assertThat(is.warnings()).extracting(Problem::message).containsExactly(
+        assertThat(is.warnings()).extracting(Diagnostic::message).containsExactly(
             "expected a value or a comment, found the heading 'Call" + " me".repeat(18) + " m...', which is skipped",
             "expected a value or a comment, found the heading 'Ishmael', which is skipped");
     }

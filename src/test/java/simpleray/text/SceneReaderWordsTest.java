@@ -41,7 +41,7 @@ class SceneReaderWordsTest {
         SceneReader is = reader("\u3000Ishmael \u2003\u3000\n1");
 
         assertThat(is.readInt()).isEqualTo(1);
-        assertThat(is.warnings()).singleElement().extracting(Problem::headline).isEqualTo(
+        assertThat(is.warnings()).singleElement().extracting(Diagnostic::headline).isEqualTo(
             "<stdin>:1:2: warning: expected a value or a comment, found the heading 'Ishmael', which is skipped");
     }
 
@@ -95,16 +95,16 @@ class SceneReaderWordsTest {
     @Test
     void theBytesOfTheLastValueCanBeFound() throws IOException {
         byte[] bytes = "\uFEFF1 \u00E4\n-2.5e0 # 3\n+4".getBytes(StandardCharsets.UTF_8);
-        SceneReader is = Span.reader(bytes, Path.of("a.scene"));
+        SceneReader is = SourceSpan.reader(bytes, Path.of("a.scene"));
 
         is.readInt();
-        assertThat(Span.last(is)).isEqualTo(new Span(3, 4));
+        assertThat(SourceSpan.last(is)).isEqualTo(new SourceSpan(3, 4));
         is.readChar();
-        assertThat(Span.last(is)).isEqualTo(new Span(5, 7));
+        assertThat(SourceSpan.last(is)).isEqualTo(new SourceSpan(5, 7));
         is.readDouble();
-        assertThat(Span.last(is)).isEqualTo(new Span(8, 14));
+        assertThat(SourceSpan.last(is)).isEqualTo(new SourceSpan(8, 14));
         is.readInt();
-        assertThat(Span.last(is)).isEqualTo(new Span(19, 21));
+        assertThat(SourceSpan.last(is)).isEqualTo(new SourceSpan(19, 21));
         assertThatThrownBy(is::readInt).hasMessage("a.scene:3:3: error: expected an integer, found the end of the file\n+4\n  ^");
     }
 
@@ -112,8 +112,8 @@ class SceneReaderWordsTest {
     void aPieceOfAFileIsTakenApartIntoItsWords() throws IOException {
         byte[] bytes = "0 0 1 22 # 3\n\"a b\" 4 5".getBytes(StandardCharsets.UTF_8);
 
-        assertThat(new Span(4, 21).words(bytes)).isEqualTo(List.of(new Span(4, 5), new Span(6, 8), new Span(13, 18), new Span(19, 20)));
-        assertThat(new Span(8, 13).words(bytes)).isEmpty();
+        assertThat(new SourceSpan(4, 21).words(bytes)).isEqualTo(List.of(new SourceSpan(4, 5), new SourceSpan(6, 8), new SourceSpan(13, 18), new SourceSpan(19, 20)));
+        assertThat(new SourceSpan(8, 13).words(bytes)).isEmpty();
     }
 
     @Test
@@ -147,7 +147,7 @@ class SceneReaderWordsTest {
         assertThat(is.readDouble("radius")).isZero();
         assertThat(is.readDouble("radius")).isZero();
         assertThat(is.readDouble("radius")).isZero();
-        assertThat(is.warnings()).extracting(Problem::headline).containsExactly(
+        assertThat(is.warnings()).extracting(Diagnostic::headline).containsExactly(
             "<stdin>:1:1: warning: radius '1e-400' is too small for a number, and read as 0",
             "<stdin>:1:15: warning: radius '-0.001e-999' is too small for a number, and read as 0",
             "<stdin>:1:38: warning: radius '9e-999' is too small for a number, and read as 0");

@@ -11,7 +11,7 @@ package simpleray.text;
  * @param source the line's text, without its line break; of a long line a piece about the column; null if it is not known
  * @param begins the column at which the source begins: 1 unless the line is long
  */
-public record Problem(String file, int line, int column, boolean error, String message, String source, int begins) {
+public record Diagnostic(String file, int line, int column, boolean error, String message, String source, int begins) {
     /** The longest piece of a source line that is shown. */
     private static final int SHOWN = 160;
     private static final int LONGEST_WORD = 60;
@@ -27,7 +27,7 @@ public record Problem(String file, int line, int column, boolean error, String m
      * @param message what was expected and what was found
      * @param source the line's text, without its line break; null if it is not known
      */
-    public Problem(String file, int line, int column, boolean error, String message, String source) {
+    public Diagnostic(String file, int line, int column, boolean error, String message, String source) {
         this(file, line, column, error, message, source, 1);
     }
 

@@ -12,7 +12,7 @@ import org.junit.jupiter.api.io.TempDir;
 import simpleray.render.Stage;
 
 /** Scenes that change on the disk, and scenes with errors. */
-class ProblemsPaneTest {
+class DiagnosticsPaneTest {
     private static final int SIDE = 64;
     private static final String BAD = "1\n1  0 0 1 -1  0.2 0.4 oops  0 0 0  0 0 0  0\n1 1 1\n0\n";
     private static final String ODD = "1\nWALL\n1  0 0 1 -1  0.2 0.4 0.6  0 0 0  0 0 0  0\n1 1 1\n0\n";

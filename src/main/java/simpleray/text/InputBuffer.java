@@ -11,8 +11,8 @@ import java.util.Arrays;
  *
  * <p>The file is UTF-8, and stays bytes: only what a message shows is ever decoded. What is no UTF-8 is then the character U+FFFD.
  */
-final class Window {
-    /** So much of a line is shown on either side of a place: more than {@link Problem} shows, whatever the characters. */
+final class InputBuffer {
+    /** So much of a line is shown on either side of a place: more than {@link Diagnostic} shows, whatever the characters. */
     static final int CONTEXT = 512;
     /** So much of a line stays in the window behind {@link #at}. */
     static final int KEPT = 4 * CONTEXT;
@@ -47,7 +47,7 @@ final class Window {
      * @param size how many bytes to keep in memory, at least two times {@link #KEPT}
      * @param marks the marks whose places must be known even when the window has moved on
      */
-    Window(InputStream in, int size, Mark... marks) {
+    InputBuffer(InputStream in, int size, Mark... marks) {
         this.in = in;
         this.marks = marks;
         this.size = size;
@@ -236,7 +236,7 @@ final class Window {
     /** {@return the index of the next byte that may end a word, or of the end of the window} */
     int wordEnd(int from) {
         int i = from;
-        while (i < filled && bytes[i] >= 0 && bytes[i] != Words.COMMENT && !isBlank(bytes[i])) {
+        while (i < filled && bytes[i] >= 0 && bytes[i] != Tokenizer.COMMENT && !isBlank(bytes[i])) {
             i++;
         }
         return i;

@@ -10,7 +10,7 @@ import java.util.Set;
  * The words of a scene file, one after another: white space and comments are passed over, headings reported. <em>Mutable</em>, for
  * one thread. Text is UTF-8, a byte order mark is passed over; a line ends with LF, CR LF or CR.
  */
-final class Words {
+final class Tokenizer {
     /** Begins a comment. */
     static final char COMMENT = '#';
 
@@ -20,11 +20,11 @@ final class Words {
     private static final int LONGEST_CHARACTER = 4;
 
     private final InputStream in;
-    private final Problems problems;
+    private final Diagnostics problems;
     private final Mark last = new Mark();
     private final Mark group = new Mark();                    // the first word taken since the group began
     private final Mark here = new Mark();
-    private final Window window;
+    private final InputBuffer window;
     private final Numerals numerals = new Numerals();
     private boolean begun;
     private boolean grouped;
@@ -38,10 +38,10 @@ final class Words {
      * @param size how many bytes of it to keep in memory
      * @param problems told of each heading as it is skipped
      */
-    Words(InputStream in, int size, Problems problems) {
+    Tokenizer(InputStream in, int size, Diagnostics problems) {
         this.in = in;
         this.problems = problems;
-        window = new Window(in, size, last, group, here);
+        window = new InputBuffer(in, size, last, group, here);
     }
 
     /**
@@ -221,8 +221,8 @@ final class Words {
     }
 
     /** {@return the piece of the file that is the word taken last} */
-    Span lastSpan() {
-        return new Span(last.start, last.end);
+    SourceSpan lastSpan() {
+        return new SourceSpan(last.start, last.end);
     }
 
     /** {@return the word taken last, as much of it as messages show} */
@@ -322,7 +322,7 @@ final class Words {
         byte[] bytes = window.bytes;
         byte b = bytes[index];
         if (b >= 0) {
-            return Window.isBlank(b) ? 1 : 0;
+            return InputBuffer.isBlank(b) ? 1 : 0;
         }
         int length = b == (byte) 0xC2 ? 2 : LONGEST_BLANK;
         boolean possible = (b == (byte) 0xC2 || b >= (byte) 0xE1 && b <= (byte) 0xE3) && index + length <= window.filled;

@@ -5,22 +5,22 @@ import java.util.Arrays;
 import java.util.List;
 
 /** What was found wrong with a scene file so far, and what the values being read belong to. <em>Mutable</em>, for one thread. */
-final class Problems {
+final class Diagnostics {
     /** No more warnings than these are kept: a book read by mistake has a heading in every line. */
     private static final int MAX_WARNINGS = 1000;
 
     private static final int DEEP = 8;
 
     private final String file;
-    private final List<Problem> errors = new ArrayList<>();
-    private final List<Problem> warnings = new ArrayList<>();
+    private final List<Diagnostic> errors = new ArrayList<>();
+    private final List<Diagnostic> warnings = new ArrayList<>();
     private final List<String> owners = new ArrayList<>();
     private int[] numbers = new int[DEEP];                    // the owners' numbers, 0 for none
     private int mostErrors = 1;
     private int headings;
 
     /** Begins without a problem; the file's name is for messages. */
-    Problems(String file) {
+    Diagnostics(String file) {
         this.file = file;
     }
 
@@ -41,7 +41,7 @@ final class Problems {
         owners.remove(owners.size() - 1);
     }
 
-    List<Problem> warnings() {
+    List<Diagnostic> warnings() {
         return List.copyOf(warnings);
     }
 
@@ -51,7 +51,7 @@ final class Problems {
     }
 
     /** Notes an error or warning; throws if that is one error too many. */
-    void report(Problem problem) throws SceneFormatException {
+    void report(Diagnostic problem) throws SceneFormatException {
         if (!problem.error()) {
             if (hasRoom()) {
                 warnings.add(problem);
@@ -92,7 +92,7 @@ final class Problems {
     void skipped(Place place, String heading) {
         headings++;
         warnings.add(problem(place, false,
-            "expected a value or a comment, found the heading " + Problem.quoted(heading) + ", which is skipped"));
+            "expected a value or a comment, found the heading " + Diagnostic.quoted(heading) + ", which is skipped"));
     }
 
     /** Notes a warning about something of what is being read. */
@@ -102,7 +102,7 @@ final class Problems {
         }
     }
 
-    private Problem error(Place place, String wanted, String found) {
+    private Diagnostic error(Place place, String wanted, String found) {
         return problem(place, true, "expected " + owner() + wanted + ", found " + found);
     }
 
@@ -114,7 +114,7 @@ final class Problems {
         return owner.toString();
     }
 
-    private Problem problem(Place place, boolean error, String message) {
-        return new Problem(file, place.line(), place.column(), error, message, place.source(), place.begins());
+    private Diagnostic problem(Place place, boolean error, String message) {
+        return new Diagnostic(file, place.line(), place.column(), error, message, place.source(), place.begins());
     }
 }

@@ -21,23 +21,23 @@ import javax.swing.text.BadLocationException;
 import javax.swing.text.DefaultHighlighter;
 import javax.swing.text.SimpleAttributeSet;
 import javax.swing.text.StyleConstants;
-import simpleray.text.Problem;
+import simpleray.text.Diagnostic;
 
 /**
  * The problems of a scene as messages show them, each with its source line. A problem's place is a link; one of the problems is
  * selected, by the arrow keys or a click, and Enter or a double click follows its link.
  */
-final class ProblemsPane extends JTextPane {
+final class DiagnosticsPane extends JTextPane {
     private static final long serialVersionUID = 1L;
     private static final int MAX_LINES = 6;
 
-    private final transient Consumer<Problem> follower;
+    private final transient Consumer<Diagnostic> follower;
     private final transient List<Entry> entries = new ArrayList<>();
     private int selected = -1;
     private boolean visited;                                  // the link of one of these problems was followed
 
     /** A problem, where in the text it begins and ends, and where its place ends. */
-    private record Entry(Problem problem, int from, int to, int linked) {
+    private record Entry(Diagnostic problem, int from, int to, int linked) {
     }
 
     /**
@@ -45,7 +45,7 @@ final class ProblemsPane extends JTextPane {
      *
      * @param follower told whose link was followed
      */
-    ProblemsPane(Consumer<Problem> follower) {
+    DiagnosticsPane(Consumer<Diagnostic> follower) {
         this.follower = follower;
         setName("problems");
         getAccessibleContext().setAccessibleName("Problems of the scene");
@@ -97,13 +97,13 @@ final class ProblemsPane extends JTextPane {
      * @param text the whole report
      * @param problems those with a place, in the order in which they stand in the text
      */
-    void show(String text, List<Problem> problems) {
+    void show(String text, List<Diagnostic> problems) {
         entries.clear();
         visited = false;
         selected = -1;
         setText(text);
         int end = 0;
-        for (Problem problem : problems) {
+        for (Diagnostic problem : problems) {
             String shown = problem.toString();
             int at = text.indexOf(shown, end);
             if (at >= 0) {
@@ -127,7 +127,7 @@ final class ProblemsPane extends JTextPane {
     }
 
     /** {@return the problem that is selected; null for none} */
-    Problem selected() {
+    Diagnostic selected() {
         return selected < 0 ? null : entries.get(selected).problem;
     }
 

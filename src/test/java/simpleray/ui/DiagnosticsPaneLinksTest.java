@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Each problem is a link to its place in the scene's text. */
-class ProblemsPaneLinksTest {
+class DiagnosticsPaneLinksTest {
     private static final String BAD = "2\n1  0 0 1 -1  0.2 0.4 oops  0 0 0  0 0 0  0\n"
         + "1  0 0 1 -1  0.2 0.4 0  0 0 0  0 bad 0  0\n1 1 1\n0\n";
 
@@ -28,7 +28,7 @@ class ProblemsPaneLinksTest {
     @Test
     void enterGoesToTheSelectedProblem() {
         open(BAD);
-        ProblemsPane pane = (ProblemsPane) window.problems();
+        DiagnosticsPane pane = (DiagnosticsPane) window.problems();
         OpenWindow.run(pane::requestFocusInWindow);
         Screen.until("the problems have the keys", pane::isFocusOwner);
         for (int line = 0; line < 3; line++) {
@@ -43,7 +43,7 @@ class ProblemsPaneLinksTest {
     @Test
     void aClickOnAPlaceGoesThere() {
         open(BAD);
-        ProblemsPane pane = (ProblemsPane) window.problems();
+        DiagnosticsPane pane = (DiagnosticsPane) window.problems();
         window.screen.click(pane, () -> {
             try {
                 Rectangle first = pane.modelToView2D(3).getBounds();

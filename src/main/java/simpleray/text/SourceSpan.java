@@ -14,7 +14,7 @@ import java.util.Set;
  * @param start the first byte's offset; a byte order mark counts
  * @param end the offset behind the last byte
  */
-public record Span(long start, long end) {
+public record SourceSpan(long start, long end) {
     private static final int BUFFER = 1 << 16;
 
     /**
@@ -34,7 +34,7 @@ public record Span(long start, long end) {
      * @param is the reader, which has read one
      * @return the piece of the file where it stands
      */
-    public static Span last(SceneReader is) {
+    public static SourceSpan last(SceneReader is) {
         return is.words.lastSpan();
     }
 
@@ -45,13 +45,13 @@ public record Span(long start, long end) {
      * @return the words' own pieces, one after another
      * @throws IOException never
      */
-    public List<Span> words(byte[] bytes) throws IOException {
-        Words words = new Words(new ByteArrayInputStream(bytes, (int) start, (int) (end - start)), BUFFER, new Problems(""));
-        List<Span> found = new ArrayList<>();
+    public List<SourceSpan> words(byte[] bytes) throws IOException {
+        Tokenizer words = new Tokenizer(new ByteArrayInputStream(bytes, (int) start, (int) (end - start)), BUFFER, new Diagnostics(""));
+        List<SourceSpan> found = new ArrayList<>();
         while (words.skip(Set.of())) {
             words.take();
-            Span word = words.lastSpan();
-            found.add(new Span(start + word.start, start + word.end));
+            SourceSpan word = words.lastSpan();
+            found.add(new SourceSpan(start + word.start, start + word.end));
         }
         return found;
     }

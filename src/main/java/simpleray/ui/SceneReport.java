@@ -7,7 +7,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import simpleray.render.SceneLint;
 import simpleray.scene.SceneFile;
-import simpleray.text.Problem;
+import simpleray.text.Diagnostic;
 import simpleray.text.SceneFormatException;
 
 /**
@@ -16,27 +16,27 @@ import simpleray.text.SceneFormatException;
  * @param text the whole report; empty for nothing
  * @param places what of it has a place; each stands as it is in the text
  */
-record Findings(String text, List<Problem> places) {
+record SceneReport(String text, List<Diagnostic> places) {
     /** Nothing is wrong. */
-    static final Findings NONE = new Findings("", List.of());
+    static final SceneReport NONE = new SceneReport("", List.of());
 
     /** {@return warnings, or errors} */
-    static Findings of(List<Problem> problems) {
-        return new Findings(problems.stream().map(Problem::toString).collect(Collectors.joining("\n")), problems);
+    static SceneReport of(List<Diagnostic> problems) {
+        return new SceneReport(problems.stream().map(Diagnostic::toString).collect(Collectors.joining("\n")), problems);
     }
 
     /** {@return the warnings about a scene, and what is odd about its picture} Follows rays: not for the event thread. */
-    static Findings ofWhole(SceneFile scene, String name) {
+    static SceneReport ofWhole(SceneFile scene, String name) {
         return of(Stream.concat(scene.warnings().stream(), SceneLint.striking(scene, name).stream()).toList());
     }
 
     /** {@return why a scene could not be read} */
-    static Findings of(IOException failure, String name) {
+    static SceneReport of(IOException failure, String name) {
         if (failure instanceof SceneFormatException bad) {    // its message is the whole report
-            return new Findings(bad.getMessage(), bad.problems());
+            return new SceneReport(bad.getMessage(), bad.problems());
         }
         boolean named = failure instanceof FileSystemException;
-        return new Findings(named ? name + ": " + ((FileSystemException) failure).getReason() : failure.getMessage(), List.of());
+        return new SceneReport(named ? name + ": " + ((FileSystemException) failure).getReason() : failure.getMessage(), List.of());
     }
 
     boolean isEmpty() {
