@@ -33,7 +33,31 @@ final class ShortestDecimal {
             return Double.toString(d);
         }
         double size = Math.abs(d);
-        return (d < 0 ? "-" : "") + search(new BigDecimal(size), DOUBLE_DIGITS, c -> Double.parseDouble(c.toString()) == size);
+        String plain = ofFewDigits(size);
+        return (d < 0 ? "-" : "")
+            + (plain != null ? plain : search(new BigDecimal(size), DOUBLE_DIGITS, c -> Double.parseDouble(c.toString()) == size));
+    }
+
+    /**
+     * Returns the shortest decimal of at most 15 digits, as nearly all numbers that people write. At most one of them reads back as a
+     * given double; n / 10^k is that double, since both are exact and a quotient is rounded correctly (Clinger, "How to Read Floating
+     * Point Numbers Accurately", 1990).
+     *
+     * @param size a positive number
+     * @return the decimal; null if it has more digits, or is written with an exponent
+     */
+    private static String ofFewDigits(double size) {
+        double power = 1;
+        for (int decimals = 0; size >= 1e-3 && size < 1e7 && size * power < 1e15; decimals++) {
+            double n = Math.rint(size * power);
+            if (n / power == size) {
+                long whole = (long) n / (long) power;
+                String fraction = Long.toString((long) n % (long) power);
+                return whole + "." + "0".repeat(Math.max(0, decimals - fraction.length())) + fraction;
+            }
+            power *= 10;
+        }
+        return null;
     }
 
     /** {@return what {@link Float#toString(float)} gives since JDK 19} */

@@ -64,6 +64,20 @@ class ShortestDecimalTest {
         }
     }
 
+    @Test
+    void decimalsOfUpTo15DigitsAreWrittenAsTheyAre() {
+        Random random = new Random(SEED);
+        for (int i = 0; i < 10_000; i++) {
+            long digits = random.nextLong(1, (long) Math.pow(10, 1 + random.nextInt(15)));
+            BigDecimal decimal = BigDecimal.valueOf(digits, random.nextInt(18)).stripTrailingZeros();
+            if (decimal.compareTo(new BigDecimal("0.001")) >= 0 && decimal.compareTo(new BigDecimal(10_000_000)) < 0) {
+                String text = decimal.scale() > 0 ? decimal.toPlainString() : decimal.toPlainString() + ".0";
+                assertThat(ShortestDecimal.search(decimal.doubleValue())).isEqualTo(text);
+                assertThat(ShortestDecimal.search(-decimal.doubleValue())).isEqualTo('-' + text);
+            }
+        }
+    }
+
     @Tag("slow")
     @Test
     void anyDoubleReadsBackAndNothingShorterDoes() {
