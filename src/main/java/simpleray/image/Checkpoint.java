@@ -17,15 +17,15 @@ import simpleray.io.FileInUseException;
 import simpleray.io.OutputLock;
 
 /**
- * A file that keeps the finished rows of a picture, so that a rendering that was ended can go on. <em>Mutable</em>; any thread may call.
- * One rendering has it at a time, which an {@link OutputLock} beside it sees to.
+ * A file of the finished rows of a picture, from which an interrupted rendering resumes. <em>Mutable</em>; any thread may call.
+ * An {@link OutputLock} beside it keeps other renderings out.
  *
- * <p>It begins with {@link #MAGIC}, the length of a text, that text, and the CRC-32 of all these. The text tells on what the picture
- * depends, a line {@code name: value} each. Behind it stand records of one size, in the order in which rows were finished: the row's
- * number, its levels, and the CRC-32 of both. Numbers have four bytes, the highest first. A record whose sum is wrong counts as none.
+ * <p>It begins with {@link #MAGIC}, the length of a text, that text, and the CRC-32 of all these. The text names all that the picture
+ * depends on, a line {@code name: value} each. Records of one size follow, in the order in which rows were finished: the row's
+ * number, its levels, and the CRC-32 of both. Numbers have four bytes, the highest first. A record with a wrong sum is ignored.
  *
- * <p>Each record is given to the system by one call, and is then safe from the end of this program, however it ends. The disk is not waited
- * for: what a loss of power leaves half written is found by its sum.
+ * <p>Each record is written by one system call, and then survives any end of this program. Nothing waits for the disk:
+ * the sums find rows that a loss of power left half written.
  */
 public final class Checkpoint implements Closeable {
     private static final byte[] MAGIC = "SimpleRay checkpoint 1\n".getBytes(StandardCharsets.US_ASCII);
@@ -63,7 +63,7 @@ public final class Checkpoint implements Closeable {
      * Begins a checkpoint without rows.
      *
      * @param path the file, which is not there
-     * @param identity on what the picture depends
+     * @param identity all that the picture depends on
      * @param width the picture's width in pixels
      * @param height the picture's height in pixels
      * @return the checkpoint
@@ -94,7 +94,7 @@ public final class Checkpoint implements Closeable {
      * Opens a checkpoint to go on with it. A record that was not written whole is cut off.
      *
      * @param path the file
-     * @param identity what {@link #identity} has found in it
+     * @param identity the text that {@link #identity} returned
      * @param width the picture's width in pixels
      * @param height the picture's height in pixels
      * @return the checkpoint
@@ -118,7 +118,7 @@ public final class Checkpoint implements Closeable {
         });
     }
 
-    /** What is done with a file that nobody else reads or writes. */
+    /** An action on a file that nobody else reads or writes. */
     private interface Use {
         Checkpoint of(OutputLock lock) throws IOException;
     }
@@ -138,7 +138,7 @@ public final class Checkpoint implements Closeable {
     }
 
     /**
-     * Finds on what the picture of a checkpoint depends.
+     * Reads the identity of a checkpoint's picture.
      *
      * @param path the file
      * @return names and values; null if the file was not begun whole, and so has no row

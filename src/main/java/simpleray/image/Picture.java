@@ -55,7 +55,7 @@ public final class Picture {
     }
 
     /**
-     * Sets what the picture's file is to carry beside the pixels.
+     * Sets the texts that the picture's file carries beside the pixels.
      *
      * @param told the texts
      */
@@ -64,7 +64,7 @@ public final class Picture {
     }
 
     /**
-     * Says how to find what the picture's file is to carry beside the pixels.
+     * Sets a supplier of the texts that the picture's file carries beside the pixels.
      *
      * @param later makes the texts; asked, by any thread, when the file is begun
      */
@@ -72,7 +72,7 @@ public final class Picture {
         textsLater = later;
     }
 
-    /** {@return what the picture's file is to carry beside the pixels} */
+    /** {@return the texts that the picture's file carries beside the pixels} */
     public List<PictureText> texts() {
         Supplier<List<PictureText>> later = textsLater;
         return later == null ? texts : later.get();
@@ -228,7 +228,7 @@ public final class Picture {
      */
     private static void levels(double[] linear, byte[] levels, int from) {
         for (int i = 0, k = from; i < linear.length; i += 3, k += 3) {
-            int red = (int) (LEVELS * linear[i] + 0.5);       // to 0 from both sides, so that what is below 0 is not above now; NaN is 0
+            int red = (int) (LEVELS * linear[i] + 0.5);       // to 0 from both sides, so that no level below 0 becomes positive; NaN is 0
             int green = (int) (LEVELS * linear[i + 1] + 0.5);
             int blue = (int) (LEVELS * linear[i + 2] + 0.5);
             // below 0 no bit stays on; above 255 all bits go on, of which a byte has eight

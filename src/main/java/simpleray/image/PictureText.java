@@ -5,7 +5,7 @@ import java.nio.charset.StandardCharsets;
 /**
  * A text that a picture's file carries. <em>Constant.</em>
  *
- * @param keyword what it is: 1 to 79 printable ASCII characters
+ * @param keyword the kind of text: 1 to 79 printable ASCII characters
  * @param text the text, UTF-8; referenced, and not to be changed
  */
 public record PictureText(String keyword, byte[] text) {
@@ -15,7 +15,7 @@ public record PictureText(String keyword, byte[] text) {
     /**
      * Creates a text of characters.
      *
-     * @param keyword what it is
+     * @param keyword the kind of text
      * @param text the text
      */
     public PictureText(String keyword, String text) {

@@ -91,7 +91,7 @@ final class PixelFont {
     /**
      * Tells whether a dot of a line of text is dark.
      *
-     * @param text the text; what is not printable ASCII looks like a question mark
+     * @param text the text; characters other than printable ASCII become question marks
      * @param x dots from the left, 0 or more
      * @param y dots from the top, 0 to {@link #HEIGHT} - 1
      */

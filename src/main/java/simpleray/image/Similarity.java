@@ -11,7 +11,7 @@ final class Similarity {
     private static final double SIGMA = 1.5;
     private static final double C1 = 0.01 * 255 * 0.01 * 255;
     private static final double C2 = 0.03 * 255 * 0.03 * 255;
-    /** What is averaged: a, b, a², b² and ab. */
+    /** The averaged quantities: a, b, a², b² and ab. */
     private static final int MEANS = 5;
 
     private final double[] across;

@@ -1,2 +1,2 @@
-/** Pictures, how they differ, and what keeps them while they are rendered. {@link simpleray.image.Picture} is the one place that turns light into levels. */
+/** Pictures, their differences, and checkpoints of unfinished ones. {@link simpleray.image.Picture} is the one place that turns light into levels. */
 package simpleray.image;

@@ -56,7 +56,7 @@ public final class PovExporter {
         warnOfGlass();
     }
 
-    /** {@return what POV-Ray shows otherwise than we do, a sentence each} */
+    /** {@return the differences of POV-Ray's picture from ours, a sentence each} */
     public List<String> warnings() {
         return List.copyOf(warnings);
     }

@@ -13,10 +13,10 @@ import simpleray.text.SceneWriter;
  *
  * <p>Its {@code specular} with roughness 1/shininess is our term of the half vector. It dims what a surface scatters by the share that
  * passes through, and brightens total internal reflection to 1; both are undone here. All this is exact if the colours are grey, as
- * they are in the picture of one colour channel. Where they are not, what POV-Ray has as one number is a mean.
+ * they are in the picture of one colour channel. Where they are not, POV-Ray's one number is a mean.
  */
 final class PovMaterial {
-    /** The share of a transparent pigment that passes through; what it scatters is dimmed by the rest. */
+    /** The share of light that passes through a transparent pigment; the rest dims its scattered light. */
     private static final double FILTER = 0.5;
     /** Takes the place of a colour of 0 that something is divided by. */
     private static final double NEXT_TO_NOTHING = 1e-6;
@@ -56,7 +56,7 @@ final class PovMaterial {
         follows = Math.min(depth, material.reflections()) > 0 && (transmits || !specular.isBlack());
     }
 
-    /** {@return whether a ray sees what is behind it} */
+    /** {@return whether rays pass through it} */
     boolean isClear() {
         return transmits && follows;
     }

@@ -32,7 +32,7 @@ public final class PictureFile implements Closeable {
         file.commit();
     }
 
-    /** Removes what was begun if it was not written whole. */
+    /** Removes an unfinished file. */
     @Override
     public void close() throws IOException {
         file.close();

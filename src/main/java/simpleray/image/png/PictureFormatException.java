@@ -2,25 +2,25 @@ package simpleray.image.png;
 
 import java.io.IOException;
 
-/** A picture file that is damaged, or does not hold what is looked for in it. */
+/** Thrown for a picture file that is damaged, or lacks the requested content. */
 public final class PictureFormatException extends IOException {
     private static final long serialVersionUID = 1L;
 
-    /** What is wrong with the file. */
+    /** The fault of the file. */
     private final String fault;
 
     /**
      * Creates the exception.
      *
      * @param file the file as the user named it
-     * @param fault what is wrong with it
+     * @param fault the fault
      */
     public PictureFormatException(String file, String fault) {
         super(file + ": " + fault);
         this.fault = fault;
     }
 
-    /** {@return what is wrong with the file, without its name} */
+    /** {@return the fault, without the file's name} */
     public String fault() {
         return fault;
     }

@@ -13,7 +13,7 @@ import simpleray.image.PictureText;
 final class PngChunk {
     private static final int HEAD = 8;                        // length and name
     private static final int SUM = 4;
-    private static final int NO_LANGUAGE = 5;                 // what stands between keyword and text
+    private static final int NO_LANGUAGE = 5;                 // the bytes between keyword and text
 
     private byte[] bytes;
     private int end = HEAD;

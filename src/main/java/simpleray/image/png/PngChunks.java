@@ -23,7 +23,7 @@ public final class PngChunks {
     private final InputStream in;
     private final String file;
     private final CRC32 sum = new CRC32();
-    private byte[] passed;                                    // what nobody wants to see
+    private byte[] passed;                                    // scratch space for skipped bytes
     private String name = "";
     private boolean ended;
     private long left = -1;                                   // bytes of the chunk's data; -1: there is no chunk
@@ -32,7 +32,7 @@ public final class PngChunks {
      * Begins behind a file's signature.
      *
      * @param in the file
-     * @param file what messages call it
+     * @param file the file's name for messages
      */
     public PngChunks(InputStream in, String file) {
         this.in = in;
@@ -81,7 +81,7 @@ public final class PngChunks {
     }
 
     /**
-     * Goes to the next chunk. What was not read of the one before is passed over; its sum is checked.
+     * Moves to the next chunk. Skips the unread rest of the current one, and checks its sum.
      *
      * @return its name; null behind the last one
      * @throws PictureFormatException if the file is damaged
@@ -140,7 +140,7 @@ public final class PngChunks {
     }
 
     /**
-     * Reads what is left of the chunk.
+     * Reads the rest of the chunk.
      *
      * @param most how much that may be
      * @return its data
@@ -159,9 +159,9 @@ public final class PngChunks {
     }
 
     /**
-     * Says what is wrong with the file.
+     * Makes an exception for a fault of the file.
      *
-     * @param fault what it is
+     * @param fault the fault
      * @return the exception to be thrown
      */
     PictureFormatException fault(String fault) {

@@ -91,7 +91,7 @@ public final class PngReader implements Closeable {
      * Begins a file that comes as a stream, and reads it to its end.
      *
      * @param in the stream, which stays open
-     * @param file what messages call it
+     * @param file the file's name for messages
      * @return its rows
      * @throws PictureFormatException if it is no PNG, or a damaged one
      * @throws IOException if it cannot be read

@@ -11,7 +11,7 @@ import simpleray.image.PictureText;
 
 /** Reads the texts that a PNG file carries. */
 public final class PngTextReader {
-    /** What stands before a text in its chunk: a keyword, two numbers, a language and a translation. */
+    /** The fields before a text in its chunk: a keyword, two numbers, a language and a translation. */
     private static final int HEAD = 1 << 10;
 
     private PngTextReader() {

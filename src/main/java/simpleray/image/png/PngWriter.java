@@ -28,7 +28,7 @@ public final class PngWriter {
     private final int stripRows;
     private final Map<Integer, PngStrip> begun = new HashMap<>();
     private final Map<Integer, Compressed> waiting = new HashMap<>();
-    private final Adler sum = new Adler();                    // of what is written
+    private final Adler sum = new Adler();                    // of all bytes written
     private int written;                                      // strips
 
     /** A strip that is to be written. */
@@ -90,7 +90,7 @@ public final class PngWriter {
     }
 
     /**
-     * Takes a row of the picture, which may let go of it then. What can be written is written.
+     * Takes a row of the picture, which may then discard it. Writes all strips that are complete and in turn.
      *
      * @param y the row, 0 at the top; each once
      * @throws IOException if it cannot be written; nothing more is then
@@ -118,7 +118,7 @@ public final class PngWriter {
         return strip;
     }
 
-    /** Writes a strip, if it is its turn, and those that waited for it. Others wait meanwhile: what they hold must not pile up. */
+    /** Writes a strip, if it is its turn, and those that waited for it. Other threads wait meanwhile, so that strips do not pile up. */
     private synchronized void write(int i, Compressed strip) throws IOException {
         begun.remove(i);
         waiting.put(i, strip);
