@@ -114,8 +114,8 @@ final class CameraMenu {
         SceneSettings view = tool.view();
         if (view == null) {
             frame.say("There is no view to save: no scene was read");
-        } else if (frame.scene().text() != null && tool.isOther()) {
-            putIntoText(picture.source(), frame.scene().text(), view);
+        } else if (frame.document().text() != null && tool.isOther()) {
+            putIntoText(picture.source(), frame.document().text(), view);
         } else if (!(picture.source() instanceof FileSource file)) {
             tell("The scene came by standard input: there is no file to write to");
         } else if (!tool.isOther()) {
@@ -153,9 +153,9 @@ final class CameraMenu {
                 }
                 if (why != null) {
                     tell(source.name() + '\n' + why);
-                } else if (picture.source() == source && text.equals(frame.scene().text())) {
+                } else if (picture.source() == source && text.equals(frame.document().text())) {
                     tool.release();
-                    frame.scene().replace(made);
+                    frame.document().replace(made);
                 } else {
                     frame.say("The text was changed meanwhile: try again");
                 }

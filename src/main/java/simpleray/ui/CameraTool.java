@@ -138,22 +138,22 @@ final class CameraTool extends MouseAdapter {
     }
 
     /** {@return the rendering, if it has read a scene; else null} */
-    private Rendering shown() {
-        Rendering rendering = picture.rendering();
-        return rendering == null || picture.source() == SceneSource.NONE || rendering.settings() == null ? null : rendering;
+    private RenderJob shown() {
+        RenderJob job = picture.job();
+        return job == null || picture.source() == SceneSource.NONE || job.settings() == null ? null : job;
     }
 
     private void move(UnaryOperator<Orbit> how) {
-        Rendering rendering = shown();
+        RenderJob job = shown();
         if (orbit == null) {
-            if (rendering == null) {
+            if (job == null) {
                 return;
             }
-            orbit = Orbit.of(FreeView.of(rendering.settings()));
-            aimed = rendering.settings().camera != null;      // such a camera says itself what it looks at
+            orbit = Orbit.of(FreeView.of(job.settings()));
+            aimed = job.settings().camera != null;            // such a camera says itself what it looks at
         }
-        if (!aimed && rendering != null) {
-            orbit = orbit.aimed(rendering.scene());
+        if (!aimed && job != null) {
+            orbit = orbit.aimed(job.scene());
             aimed = true;
         }
         orbit = how.apply(orbit);

@@ -21,8 +21,8 @@ final class ComparePane extends JPanel implements Scrollable {
     private static final long serialVersionUID = 1L;
     private static final int MARGIN = 4;
 
-    private final JComboBox<Finished> left = choice("Left picture");
-    private final JComboBox<Finished> right = choice("Right picture");
+    private final JComboBox<FinishedRender> left = choice("Left picture");
+    private final JComboBox<FinishedRender> right = choice("Right picture");
     private final CompareView view = new CompareView();
     private final transient Executor looker;
     private boolean marked;
@@ -51,8 +51,8 @@ final class ComparePane extends JPanel implements Scrollable {
         add(view, BorderLayout.CENTER);
     }
 
-    private JComboBox<Finished> choice(String name) {
-        JComboBox<Finished> box = new JComboBox<>();
+    private JComboBox<FinishedRender> choice(String name) {
+        JComboBox<FinishedRender> box = new JComboBox<>();
         box.setName(name);
         box.getAccessibleContext().setAccessibleName(name);
         box.setKeySelectionManager((key, model) -> -1);       // keys are the menus', 1 is no picture's first letter
@@ -65,16 +65,16 @@ final class ComparePane extends JPanel implements Scrollable {
     }
 
     /** Lists the pictures, the latest last. Who looked at the latest looks at the new one; a choice that is gone becomes the oldest. */
-    void list(List<Finished> pictures) {
+    void list(List<FinishedRender> pictures) {
         boolean latest = right.getSelectedIndex() == right.getItemCount() - 1;
         Object one = left.getSelectedItem();
         Object other = right.getSelectedItem();
         boolean fresh = one == null;
         listing = true;
-        left.setModel(new DefaultComboBoxModel<>(pictures.toArray(new Finished[0])));
-        right.setModel(new DefaultComboBoxModel<>(pictures.toArray(new Finished[0])));
+        left.setModel(new DefaultComboBoxModel<>(pictures.toArray(new FinishedRender[0])));
+        right.setModel(new DefaultComboBoxModel<>(pictures.toArray(new FinishedRender[0])));
         if (!pictures.isEmpty()) {
-            Finished last = pictures.get(pictures.size() - 1);
+            FinishedRender last = pictures.get(pictures.size() - 1);
             left.setSelectedItem(fresh ? pictures.get(Math.max(0, pictures.size() - 2)) : pictures.contains(one) ? one : pictures.get(0));
             right.setSelectedItem(latest || !pictures.contains(other) ? last : other);
         }
@@ -96,8 +96,8 @@ final class ComparePane extends JPanel implements Scrollable {
 
     private void showChosen() {
         if (!listing && view != null) {
-            Finished one = (Finished) left.getSelectedItem();
-            Finished other = (Finished) right.getSelectedItem();
+            FinishedRender one = (FinishedRender) left.getSelectedItem();
+            FinishedRender other = (FinishedRender) right.getSelectedItem();
             view.setPictures(image(left), image(right));
             if (marked && one != null && other != null) {
                 looker.execute(() -> mark(one, other));
@@ -106,7 +106,7 @@ final class ComparePane extends JPanel implements Scrollable {
     }
 
     /** Finds the marks of two pictures, and shows them if these are still the ones that are compared. */
-    private void mark(Finished one, Finished other) {
+    private void mark(FinishedRender one, FinishedRender other) {
         BufferedImage ones = one.marks();
         BufferedImage others = other.marks();
         SwingUtilities.invokeLater(() -> {
@@ -116,8 +116,8 @@ final class ComparePane extends JPanel implements Scrollable {
         });
     }
 
-    private BufferedImage image(JComboBox<Finished> box) {
-        Finished chosen = (Finished) box.getSelectedItem();
+    private BufferedImage image(JComboBox<FinishedRender> box) {
+        FinishedRender chosen = (FinishedRender) box.getSelectedItem();
         box.setToolTipText(chosen == null ? null : chosen.options());
         int[] pixels = chosen == null ? null : chosen.pixels();
         return pixels == null ? null : Clipped.image(pixels, chosen.width(), chosen.height());

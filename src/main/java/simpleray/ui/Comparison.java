@@ -33,7 +33,7 @@ final class Comparison {
     private JScrollPane place;                                // where the picture is when it is not compared
     private boolean closed;
     private Picture seen;
-    private Finished latest;                                  // what was found in it; null until it is
+    private FinishedRender latest;                            // what was found in it; null until it is
 
     Comparison(ViewerFrame frame) {
         this.frame = frame;
@@ -83,8 +83,8 @@ final class Comparison {
         seen = whole;
         latest = null;
         shown.setMarks(null);
-        if (whole != null && Finished.canKeep(whole)) {
-            look(whole, shown.source(), shown.rendering().request(), shown.rendering().seconds());
+        if (whole != null && FinishedRender.canKeep(whole)) {
+            look(whole, shown.source(), shown.job().request(), shown.job().seconds());
         }
     }
 
@@ -107,7 +107,7 @@ final class Comparison {
         LocalTime now = LocalTime.now(ZoneId.systemDefault());
         look(() -> {
             try {
-                Finished found = new Finished(picture, source, request, seconds, now);
+                FinishedRender found = new FinishedRender(picture, source, request, seconds, now);
                 SwingUtilities.invokeLater(() -> take(picture, found));
             } catch (OutOfMemoryError e) {                    // then this one is not compared
                 SwingUtilities.invokeLater(() -> frame.say("The memory is too short to keep the picture for comparing"));
@@ -115,7 +115,7 @@ final class Comparison {
         });
     }
 
-    private void take(Picture picture, Finished found) {
+    private void take(Picture picture, FinishedRender found) {
         history.add(found);
         if (picture == seen) {
             latest = found;
@@ -167,7 +167,7 @@ final class Comparison {
     private void mark() {
         boolean marked = marks.isSelected();
         pane.ifMade(compared -> compared.setMarked(marked));
-        Finished found = marked && !closed ? latest : null;
+        FinishedRender found = marked && !closed ? latest : null;
         if (found == null) {
             frame.picture().setMarks(null);
             frame.showProgress();                             // in place of what was counted
@@ -202,7 +202,7 @@ final class Comparison {
     }
 
     /** {@return the pictures that can be compared, the latest last} */
-    List<Finished> pictures() {
+    List<FinishedRender> pictures() {
         return history.pictures();
     }
 

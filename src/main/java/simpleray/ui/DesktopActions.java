@@ -98,13 +98,13 @@ final class DesktopActions {
     void refresh() {
         SimpleRay shown = frame.picture();
         Picture whole = shown.whole();
-        Rendering rendering = shown.rendering();
+        RenderJob job = shown.job();
         if (whole != null) {
             if (made == null || made.picture != whole) {
-                made = new Made(whole, shown.source(), rendering.request());
+                made = new Made(whole, shown.source(), job.request());
             }
-        } else if (rendering != null && rendering.isAlone() && rendering.state() == Rendering.State.FINISHED && !shown.isBusy()) {
-            made = new Made(null, shown.source(), rendering.request().with(rendering.region()));
+        } else if (job != null && job.isAlone() && job.state() == RenderJob.State.FINISHED && !shown.isBusy()) {
+            made = new Made(null, shown.source(), job.request().with(job.region()));
         } else {
             made = null;
         }

@@ -28,7 +28,7 @@ final class FindBar extends JPanel {
 
         @Override
         protected boolean processKeyBinding(KeyStroke key, KeyEvent e, int condition, boolean pressed) {
-            return super.processKeyBinding(key, e, condition, pressed) || condition == WHEN_FOCUSED && Typing.isCharacter(e);
+            return super.processKeyBinding(key, e, condition, pressed) || condition == WHEN_FOCUSED && KeyBindings.isCharacter(e);
         }
     };
     private final JLabel found = new JLabel(" ");
@@ -51,9 +51,9 @@ final class FindBar extends JPanel {
         add(new JLabel("Find:"), BorderLayout.WEST);
         add(field, BorderLayout.CENTER);
         add(buttons, BorderLayout.EAST);
-        Typing.bind(field, WHEN_FOCUSED, "ENTER", () -> find(true, area.getSelectionEnd()));
-        Typing.bind(field, WHEN_FOCUSED, "shift ENTER", () -> find(false, area.getSelectionStart()));
-        Typing.bind(this, WHEN_ANCESTOR_OF_FOCUSED_COMPONENT, "ESCAPE", this::close);
+        KeyBindings.bind(field, WHEN_FOCUSED, "ENTER", () -> find(true, area.getSelectionEnd()));
+        KeyBindings.bind(field, WHEN_FOCUSED, "shift ENTER", () -> find(false, area.getSelectionStart()));
+        KeyBindings.bind(this, WHEN_ANCESTOR_OF_FOCUSED_COMPONENT, "ESCAPE", this::close);
         field.getDocument().addDocumentListener(new DocumentListener() {
             @Override
             public void insertUpdate(DocumentEvent e) {

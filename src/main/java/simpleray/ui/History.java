@@ -10,7 +10,7 @@ final class History {
     /** The share of the memory that they may take. */
     private static final int SHARE = 8;
 
-    private final List<Finished> pictures = new ArrayList<>();
+    private final List<FinishedRender> pictures = new ArrayList<>();
     private final long room;
 
     History() {
@@ -23,16 +23,16 @@ final class History {
     }
 
     /** Keeps a picture; the oldest go, if there is not room for all. */
-    void add(Finished picture) {
+    void add(FinishedRender picture) {
         pictures.add(picture);
-        long bytes = pictures.stream().mapToLong(Finished::bytes).sum();
+        long bytes = pictures.stream().mapToLong(FinishedRender::bytes).sum();
         while (pictures.size() > MAX || !pictures.isEmpty() && bytes > room) {
             bytes -= pictures.remove(0).bytes();
         }
     }
 
     /** {@return the pictures whose pixels are there, the latest last} */
-    List<Finished> pictures() {
+    List<FinishedRender> pictures() {
         pictures.removeIf(picture -> picture.pixels() == null);
         return List.copyOf(pictures);
     }

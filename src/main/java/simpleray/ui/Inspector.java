@@ -50,14 +50,14 @@ final class Inspector {
     });
 
     private Boolean untold;                                   // a story was asked for: whether to have the keys; null once it is there
-    private Rendering shown;                                  // the one whose rows are on the screen
+    private RenderJob shown;                                  // the one whose rows are on the screen
     private boolean ended;                                    // it had, when it was last looked at
     private Point hovered;
     private boolean asking;                                   // an answer about a pixel under the mouse is to come
     private Point cursor;
     private Future<?> telling;
     private PixelStory story;                                 // in the pane
-    private Rendering explained;                              // whose explainer that is; both for the teller's thread alone
+    private RenderJob explained;                              // whose explainer that is; both for the teller's thread alone
     private Explainer explainer;
 
     /**
@@ -108,19 +108,19 @@ final class Inspector {
     }
 
     /** Takes notice of a rendering: from its first row on, it is the one that is shown. */
-    void update(Rendering rendering) {
-        Progress progress = rendering.progress();
-        boolean over = rendering.state().ended();
-        if (rendering == shown && over != ended) {
+    void update(RenderJob job) {
+        Progress progress = job.progress();
+        boolean over = job.state().ended();
+        if (job == shown && over != ended) {
             ended = over;
             if (hovered != null) {
                 hover(hovered);                               // its colour was not known, or not the last one
             }
         }
-        if (rendering == shown || progress == null || progress.finished() == 0) {
+        if (job == shown || progress == null || progress.finished() == 0) {
             return;
         }
-        shown = rendering;
+        shown = job;
         ended = over;
         if (hovered != null) {
             hover(hovered);
@@ -200,12 +200,12 @@ final class Inspector {
     }
 
     private Point start() {
-        Dimension size = picture.size100();
+        Dimension size = picture.imageSize();
         return cursor != null ? cursor : hovered != null ? hovered : new Point(size.width / 2, size.height / 2);
     }
 
     private void setCursor(Point pixel) {
-        Dimension size = picture.size100();
+        Dimension size = picture.imageSize();
         if (cursor != null) {
             repaint(cursor);
         }
@@ -222,7 +222,7 @@ final class Inspector {
     /** {@return where a pixel is in the component} */
     private Rectangle place(Point pixel) {
         Rectangle all = picture.place();
-        Dimension size = picture.size100();
+        Dimension size = picture.imageSize();
         int left = (int) ((long) pixel.x * all.width / size.width);
         int top = (int) ((long) pixel.y * all.height / size.height);
         int right = (int) ((pixel.x + 1L) * all.width / size.width);
@@ -260,21 +260,21 @@ final class Inspector {
             return;
         }
         asking = true;
-        Rendering rendering = shown;
+        RenderJob job = shown;
         submit(() -> {
             try {
-                RayTree.Thing thing = explainer(rendering).objectAt(pixel.x, pixel.y);
-                SwingUtilities.invokeLater(() -> answer(pixel, rendering, thing));
+                RayTree.Thing thing = explainer(job).objectAt(pixel.x, pixel.y);
+                SwingUtilities.invokeLater(() -> answer(pixel, job, thing));
             } catch (RuntimeException | Error e) {            // the line stays without the object
                 SwingUtilities.invokeLater(() -> asking = false);
             }
         });
     }
 
-    private void answer(Point pixel, Rendering rendering, RayTree.Thing thing) {
+    private void answer(Point pixel, RenderJob job, RayTree.Thing thing) {
         asking = false;
         Point wanted = hovered != null ? hovered : cursor;
-        if (rendering != shown || !pixel.equals(wanted)) {
+        if (job != shown || !pixel.equals(wanted)) {
             if (wanted != null) {
                 tellLine(wanted);
             }
@@ -291,13 +291,13 @@ final class Inspector {
         }
         cancelTelling();
         untold = focus;
-        Rendering rendering = shown;
+        RenderJob job = shown;
         Point pixel = cursor;
         telling = submit(() -> {
             PixelStory told;
             DefaultMutableTreeNode root;
             try {
-                told = explainer(rendering).story(pixel.x, pixel.y);
+                told = explainer(job).story(pixel.x, pixel.y);
                 root = StoryPane.tree(StoryText.lines(told));
             } catch (CancellationException e) {
                 return;
@@ -305,12 +305,12 @@ final class Inspector {
                 SwingUtilities.invokeLater(() -> status.accept("The story of this pixel cannot be told: " + e));
                 return;
             }
-            SwingUtilities.invokeLater(() -> show(told, root, rendering, focus));
+            SwingUtilities.invokeLater(() -> show(told, root, job, focus));
         });
     }
 
-    private void show(PixelStory told, DefaultMutableTreeNode root, Rendering rendering, boolean focus) {
-        if (cursor == null || rendering != shown || told.x() != cursor.x || told.y() != cursor.y) {
+    private void show(PixelStory told, DefaultMutableTreeNode root, RenderJob job, boolean focus) {
+        if (cursor == null || job != shown || told.x() != cursor.x || told.y() != cursor.y) {
             return;                                           // closed or moved on
         }
         story = told;
@@ -336,14 +336,14 @@ final class Inspector {
         return teller.isShutdown() ? null : teller.submit(task);
     }
 
-    private Explainer explainer(Rendering rendering) {
-        if (explained != rendering) {
-            Explainer made = rendering.explainer();
+    private Explainer explainer(RenderJob job) {
+        if (explained != job) {
+            Explainer made = job.explainer();
             if (made == null) {
                 throw new CancellationException("the next rendering has begun");
             }
             explainer = made;
-            explained = rendering;
+            explained = job;
         }
         return explainer;
     }

@@ -116,7 +116,7 @@ final class RegionTool extends MouseAdapter {
             n[i] = Integer.parseInt(words[i]);
         }
         Region read = new Region(n[0], n[1], n[2], n[3]);
-        read.requireWithin(picture.size100().width, picture.size100().height);
+        read.requireWithin(picture.imageSize().width, picture.imageSize().height);
         return read;
     }
 
@@ -178,8 +178,8 @@ final class RegionTool extends MouseAdapter {
         if (outlined == null) {
             return;
         }
-        double across = place.getWidth() / picture.size100().width;
-        double down = place.getHeight() / picture.size100().height;
+        double across = place.getWidth() / picture.imageSize().width;
+        double down = place.getHeight() / picture.imageSize().height;
         int left = place.x + (int) Math.floor(outlined.x() * across);
         int top = place.y + (int) Math.floor(outlined.y() * down);
         int width = (int) Math.ceil(outlined.width() * across);

@@ -125,6 +125,6 @@ final class SceneArea extends RSyntaxTextArea {
 
     @Override
     protected boolean processKeyBinding(KeyStroke key, KeyEvent e, int condition, boolean pressed) {
-        return super.processKeyBinding(key, e, condition, pressed) || condition == WHEN_FOCUSED && Typing.isCharacter(e);
+        return super.processKeyBinding(key, e, condition, pressed) || condition == WHEN_FOCUSED && KeyBindings.isCharacter(e);
     }
 }

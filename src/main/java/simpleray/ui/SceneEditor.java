@@ -31,9 +31,9 @@ final class SceneEditor extends JPanel {
         add(scroll, BorderLayout.CENTER);
         add(find, BorderLayout.SOUTH);
         TextColours.apply(area, scroll.getGutter());
-        Typing.bind(this, WHEN_ANCESTOR_OF_FOCUSED_COMPONENT, "control F", this::find);
-        Typing.bind(this, WHEN_ANCESTOR_OF_FOCUSED_COMPONENT, "F3", () -> find.again(true));
-        Typing.bind(this, WHEN_ANCESTOR_OF_FOCUSED_COMPONENT, "shift F3", () -> find.again(false));
+        KeyBindings.bind(this, WHEN_ANCESTOR_OF_FOCUSED_COMPONENT, "control F", this::find);
+        KeyBindings.bind(this, WHEN_ANCESTOR_OF_FOCUSED_COMPONENT, "F3", () -> find.again(true));
+        KeyBindings.bind(this, WHEN_ANCESTOR_OF_FOCUSED_COMPONENT, "shift F3", () -> find.again(false));
         area.getDocument().addDocumentListener(new DocumentListener() {
             @Override
             public void insertUpdate(DocumentEvent e) {

@@ -10,16 +10,16 @@ import javax.swing.JMenu;
 final class SceneMenu {
     private final JMenu menu = new JMenu("Scene");
     private final JCheckBoxMenuItem text;
-    private final EditedScene scene;
+    private final SceneDocument document;
     private final List<Action> all;
 
     SceneMenu(ViewerFrame frame) {
-        scene = frame.scene();
+        document = frame.document();
         menu.setMnemonic(KeyEvent.VK_N);
-        text = new JCheckBoxMenuItem(ViewerMenus.action("Scene Text", "control E", scene::toggle));
-        Action render = ViewerMenus.action("Render Text", "control ENTER", scene::render);
-        Action save = ViewerMenus.action("Save Scene", "control shift S", scene::save);
-        Action find = ViewerMenus.action("Find in Text\u2026", "control F", scene::find);
+        text = new JCheckBoxMenuItem(ViewerMenus.action("Scene Text", "control E", document::toggle));
+        Action render = ViewerMenus.action("Render Text", "control ENTER", document::render);
+        Action save = ViewerMenus.action("Save Scene", "control shift S", document::save);
+        Action find = ViewerMenus.action("Find in Text\u2026", "control F", document::find);
         Action next = ViewerMenus.action("Next Problem", "F4", () -> frame.stepProblem(1));
         Action previous = ViewerMenus.action("Previous Problem", "shift F4", () -> frame.stepProblem(-1));
         menu.add(render);
@@ -43,6 +43,6 @@ final class SceneMenu {
     /** Enables what can be done now, and ticks what is shown. */
     void refresh(boolean opened) {
         all.forEach(action -> action.setEnabled(opened));
-        text.setSelected(scene.isShown());
+        text.setSelected(document.isShown());
     }
 }

@@ -33,10 +33,10 @@ public final class SimpleRay extends ZoomedComponent implements Runnable {
     private final transient Timer kicker = new Timer(KICK, e -> run());
     private transient SceneSource source;
     private transient RenderRequest request;
-    private transient Canvas canvas;                          // touched by the event thread alone
-    private transient BufferedImage image;                    // the canvas's
-    private transient Rendering rendering;
-    private transient Rendering read;                         // the last one that has read the scene
+    private transient ProgressiveImage progressive;           // touched by the event thread alone
+    private transient BufferedImage image;                    // the progressive one's
+    private transient RenderJob job;
+    private transient RenderJob read;                         // the last one that has read the scene
     private transient boolean again;                          // another one is to follow as soon as this one is shown
     private transient boolean kept;                           // what is shown stays until this one's pieces come over it
     private final transient RegionTool regions = new RegionTool(this);
@@ -64,13 +64,13 @@ public final class SimpleRay extends ZoomedComponent implements Runnable {
     /** Makes an empty picture, of the size that was asked for until the scene's file says another. */
     public void init() {
         Resolution asked = request.settings().resolution;
-        show(asked == null ? new Canvas(SimpleCamera.DEFAULT_RESOLUTION, SimpleCamera.DEFAULT_RESOLUTION)
-            : new Canvas(asked.width(), asked.height()));
+        show(asked == null ? new ProgressiveImage(SimpleCamera.DEFAULT_RESOLUTION, SimpleCamera.DEFAULT_RESOLUTION)
+            : new ProgressiveImage(asked.width(), asked.height()));
     }
 
-    private void show(Canvas next) {
-        boolean same = canvas != null && next.isOf(image.getWidth(), image.getHeight());
-        canvas = next;
+    private void show(ProgressiveImage next) {
+        boolean same = progressive != null && next.isOf(image.getWidth(), image.getHeight());
+        progressive = next;
         image = next.image();
         whole = null;
         if (!same) {
@@ -81,7 +81,7 @@ public final class SimpleRay extends ZoomedComponent implements Runnable {
 
     /** Starts to render anew; what is still being rendered is cancelled. The picture before it stays until there is something to show. */
     public void start() {
-        begin(new Rendering(source, request, regions.region(), regions.isAlone()), false);
+        begin(new RenderJob(source, request, regions.region(), regions.isAlone()), false);
     }
 
     /**
@@ -90,7 +90,7 @@ public final class SimpleRay extends ZoomedComponent implements Runnable {
      */
     public void restart() {
         again = true;
-        if (rendering == null || !kicker.isRunning() && lastRead() == null) {
+        if (job == null || !kicker.isRunning() && lastRead() == null) {
             start();
         } else {
             restartIfReady();
@@ -99,32 +99,32 @@ public final class SimpleRay extends ZoomedComponent implements Runnable {
 
     @SuppressWarnings("ReferenceEquality")                    // the very request, not one like it
     private void restartIfReady() {
-        boolean ended = rendering.state().ended();
-        if (again && (ended || rendering.hasScene() && (shown || rendering.age(System.nanoTime()) > MAX_WAIT))) {
-            Rendering last = lastRead();
+        boolean ended = job.state().ended();
+        if (again && (ended || job.hasScene() && (shown || job.age(System.nanoTime()) > MAX_WAIT))) {
+            RenderJob last = lastRead();
             if (last != null) {
-                SceneReport known = last == rendering ? SceneReport.NONE : rendering.findings();
-                begin(new Rendering(last, known, request, regions.region(), regions.isAlone()), shown && request == rendering.request());
+                SceneReport known = last == job ? SceneReport.NONE : job.findings();
+                begin(new RenderJob(last, known, request, regions.region(), regions.isAlone()), shown && request == job.request());
             }
             again = false;
         }
     }
 
     /** {@return the last rendering that has read the present source; null if none did} */
-    private Rendering lastRead() {
-        Rendering last = rendering.hasScene() ? rendering : read;
+    private RenderJob lastRead() {
+        RenderJob last = job.hasScene() ? job : read;
         return last != null && last.source() == source ? last : null;
     }
 
-    private void begin(Rendering next, boolean keep) {
+    private void begin(RenderJob next, boolean keep) {
         stop();
-        if (rendering != null && rendering.hasScene()) {
-            read = rendering;
+        if (job != null && job.hasScene()) {
+            read = job;
             read.forget();
         }
         shown = false;
         kept = keep;
-        rendering = next;
+        job = next;
         next.whenCoarse(() -> SwingUtilities.invokeLater(this));   // at once, not when the kicker comes
         next.start();
         kicker.start();
@@ -134,48 +134,48 @@ public final class SimpleRay extends ZoomedComponent implements Runnable {
     /** Cancels what is being rendered. Its threads end soon; this does not wait for them. */
     public void stop() {
         again = false;
-        if (rendering != null) {
-            rendering.cancel();
+        if (job != null) {
+            job.cancel();
         }
     }
 
     /** Holds what is being rendered, or lets it go on. */
     void setPaused(boolean hold) {
-        if (rendering != null) {
-            rendering.setPaused(hold);
+        if (job != null) {
+            job.setPaused(hold);
             listener.run();
         }
     }
 
     /** {@return whether what is being rendered is held} */
     boolean isPaused() {
-        return rendering != null && rendering.isPaused();
+        return job != null && job.isPaused();
     }
 
     /** Called by the "kicker": shows what was finished since, for a short time at most, and tells the listener. */
     @Override
     public void run() {
-        boolean ended = rendering.state().ended();            // asked first: then no piece comes after the last one seen
-        boolean given = rendering.state() == Rendering.State.CANCELLED && !shown;   // up, before it could be seen
+        boolean ended = job.state().ended();                  // asked first: then no piece comes after the last one seen
+        boolean given = job.state() == RenderJob.State.CANCELLED && !shown;   // up, before it could be seen
         long now = System.nanoTime();
-        if (!rendering.pieces().isEmpty() && !given && (shown || ended || rendering.isCoarse() || rendering.age(now) > HOLD)) {
-            showPieces(now + MAX_WORK);
+        if (!job.runs().isEmpty() && !given && (shown || ended || job.isCoarse() || job.age(now) > HOLD)) {
+            showRuns(now + MAX_WORK);
         }
-        if (ended && (given || rendering.pieces().isEmpty())) {
+        if (ended && (given || job.runs().isEmpty())) {
             kicker.stop();
-            if (rendering.state() == Rendering.State.FINISHED && !rendering.isAlone()) {
-                whole = rendering.picture();
+            if (job.state() == RenderJob.State.FINISHED && !job.isAlone()) {
+                whole = job.picture();
             }
         }
         listener.run();
         restartIfReady();
     }
 
-    private void showPieces(long end) {
+    private void showRuns(long end) {
         if (!shown) {                                         // no pixel of the picture before may pass for one of this
             showFirst();
         }
-        Rectangle changed = rendering.pieces().paint(canvas, end);
+        Rectangle changed = job.runs().paint(progressive, end);
         if (!changed.isEmpty()) {
             Rectangle place = place();
             double scale = place.getWidth() / image.getWidth();
@@ -186,10 +186,10 @@ public final class SimpleRay extends ZoomedComponent implements Runnable {
 
     /** Where nothing but the region is another, the picture that is there already holds what comes. */
     private void showFirst() {
-        Canvas next = rendering.canvas();
+        ProgressiveImage next = job.image();
         regions.fit(next.image().getWidth(), next.image().getHeight());
         if (kept && next.isOf(image.getWidth(), image.getHeight())) {
-            canvas.reopen(rendering.isAlone() ? rendering.region() : Region.whole(image.getWidth(), image.getHeight()));
+            progressive.reopen(job.isAlone() ? job.region() : Region.whole(image.getWidth(), image.getHeight()));
             whole = null;
         } else {
             show(next);
@@ -269,8 +269,8 @@ public final class SimpleRay extends ZoomedComponent implements Runnable {
     }
 
     /** {@return the latest rendering; null before the first start} */
-    Rendering rendering() {
-        return rendering;
+    RenderJob job() {
+        return job;
     }
 
     /** {@return whether there is more to come} */
@@ -289,7 +289,7 @@ public final class SimpleRay extends ZoomedComponent implements Runnable {
     }
 
     @Override
-    Dimension size100() {
+    Dimension imageSize() {
         return new Dimension(image.getWidth(), image.getHeight());
     }
 }

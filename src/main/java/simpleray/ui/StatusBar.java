@@ -69,18 +69,18 @@ final class StatusBar extends JPanel {
     }
 
     /** Shows how far a rendering is, in a state that it has or had a moment ago. */
-    void show(Rendering rendering, Rendering.State state, Dimension shown) {
-        Progress progress = rendering.progress();
+    void show(RenderJob job, RenderJob.State state, Dimension shown) {
+        Progress progress = job.progress();
         int rows = progress == null ? shown.height : progress.rows();
         int done = progress == null ? 0 : progress.finished();
         bar.setMaximum(rows);
         bar.setValue(done);
         bar.setVisible(!state.ended());
-        size.setText(shown.width + " \u00D7 " + shown.height + ", " + rendering.request().stage());
-        String counted = done + " of " + rows + " rows, " + Progress.time(rendering.seconds());
+        size.setText(shown.width + " \u00D7 " + shown.height + ", " + job.request().stage());
+        String counted = done + " of " + rows + " rows, " + Progress.time(job.seconds());
         say(switch (state) {
             case READING -> "Reading the scene";
-            case RENDERING -> rendering.isPaused() ? "Paused: " + counted : "Rendering: " + counted + ", "
+            case RENDERING -> job.isPaused() ? "Paused: " + counted : "Rendering: " + counted + ", "
                 + Progress.time(progress == null ? Double.NaN : progress.left(System.nanoTime())) + " left";
             case FINISHED -> "Finished: " + counted;
             case CANCELLED -> "Cancelled: " + counted;

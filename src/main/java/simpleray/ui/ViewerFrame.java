@@ -25,8 +25,8 @@ final class ViewerFrame extends JFrame {
     private static final int PATIENCE = 400;
 
     private final transient SimpleRay picture;
-    private final transient EditedScene scene = new EditedScene(this);
-    private final DiagnosticsPane problems = new DiagnosticsPane(scene::goTo);
+    private final transient SceneDocument document = new SceneDocument(this);
+    private final DiagnosticsPane problems = new DiagnosticsPane(document::goTo);
     private final Banner banner = new Banner();
     private final JSplitPane split;
     private final JSplitPane beside = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT);
@@ -40,9 +40,9 @@ final class ViewerFrame extends JFrame {
     private final transient Timer patience = new Timer(PATIENCE, e -> believe());
     private transient SceneSource opened = SceneSource.NONE;
     private transient volatile SceneWatcher watcher;          // null if the scene is no file
-    private transient Rendering doubted;                      // one of a file that may be half-written
+    private transient RenderJob doubted;                      // one of a file that may be half-written
     private transient boolean doubting;                       // the next rendering is such a one
-    private transient Rendering told;                         // whose problems are shown
+    private transient RenderJob told;                         // whose problems are shown
     private String toldText = "";
 
     /** A window that remembers nothing and leaves the look as it is. */
@@ -102,8 +102,8 @@ final class ViewerFrame extends JFrame {
         return banner;
     }
 
-    EditedScene scene() {
-        return scene;
+    SceneDocument document() {
+        return document;
     }
 
     /**
@@ -111,14 +111,14 @@ final class ViewerFrame extends JFrame {
      * may have errors.
      */
     void open(SceneSource source) {
-        scene.leave(() -> {
+        document.leave(() -> {
             camera.forget();
             opened = source;
             picture.setSource(source);
             desktop.opened(source);
             banner.hide(GONE);
             watch(source);
-            scene.open(source);
+            document.open(source);
             if (source == SceneSource.NONE) {
                 status.say("Open a scene file: File > Open\u2026");
                 refreshMenus();
@@ -145,7 +145,7 @@ final class ViewerFrame extends JFrame {
             banner.show(GONE, name + " was deleted; the picture is the last one read");
         } else {
             banner.hide(GONE);
-            scene.fileChanged();
+            document.fileChanged();
         }
     }
 
@@ -159,8 +159,8 @@ final class ViewerFrame extends JFrame {
 
     void refreshTitle() {
         String name = new File(opened.name()).getName();
-        setTitle(name.isEmpty() ? "SimpleRay" : (scene.isChanged() ? "*" : "") + name + " - SimpleRay");
-        getRootPane().putClientProperty("Window.documentModified", scene.isChanged());      // a Mac's own sign
+        setTitle(name.isEmpty() ? "SimpleRay" : (document.isChanged() ? "*" : "") + name + " - SimpleRay");
+        getRootPane().putClientProperty("Window.documentModified", document.isChanged());      // a Mac's own sign
     }
 
     /** Shows something beside the picture; null for nothing. */
@@ -174,7 +174,7 @@ final class ViewerFrame extends JFrame {
         }
     }
 
-    /** Makes another picture of the scene. */
+    /** Makes another picture of the document. */
     void setStage(Stage stage) {
         picture.setRequest(picture.request().with(stage));
         render();
@@ -187,7 +187,7 @@ final class ViewerFrame extends JFrame {
         }
     }
 
-    /** Renders another text of the scene. */
+    /** Renders another text of the document. */
     void render(SceneSource source) {
         picture.setSource(source);
         render();
@@ -213,8 +213,8 @@ final class ViewerFrame extends JFrame {
 
     /** Shows how far the rendering is, in place of a message. */
     void showProgress() {
-        if (picture.rendering() != null) {
-            status.show(picture.rendering(), picture.rendering().state(), picture.size100());
+        if (picture.job() != null) {
+            status.show(picture.job(), picture.job().state(), picture.imageSize());
         }
     }
 
@@ -225,14 +225,14 @@ final class ViewerFrame extends JFrame {
     /** Follows a new look where Swing does not: in what is not shown just now. */
     void lookChanged() {
         SwingUtilities.updateComponentTreeUI(problems);
-        if (scene.editor() != null) {
-            SwingUtilities.updateComponentTreeUI(scene.editor());
+        if (document.editor() != null) {
+            SwingUtilities.updateComponentTreeUI(document.editor());
         }
     }
 
     /** Closes the window and ends its threads, once nothing is lost by that. */
     void close() {
-        scene.leave(this::end);
+        document.leave(this::end);
     }
 
     private void end() {
@@ -241,7 +241,7 @@ final class ViewerFrame extends JFrame {
         if (watcher != null) {
             watcher.close();
         }
-        scene.close();
+        document.close();
         inspector.close();
         desktop.close();
         dialogs.close();
@@ -252,14 +252,14 @@ final class ViewerFrame extends JFrame {
 
     /** Waits until the threads of the window have ended. */
     void await() throws InterruptedException {
-        Rendering rendering = picture.rendering();
-        if (rendering != null) {
-            rendering.await();
+        RenderJob job = picture.job();
+        if (job != null) {
+            job.await();
         }
         if (watcher != null) {
             watcher.await();
         }
-        scene.await();
+        document.await();
         inspector.await();
         dialogs.await();
         camera.await();
@@ -267,26 +267,26 @@ final class ViewerFrame extends JFrame {
     }
 
     private void refresh() {
-        Rendering rendering = picture.rendering();
+        RenderJob job = picture.job();
         if (doubting) {
-            doubted = rendering;
+            doubted = job;
             doubting = false;
         }
-        Rendering.State state = rendering.state();            // asked once: it may fail at any moment
-        if (rendering == doubted && state == Rendering.State.FAILED) {
+        RenderJob.State state = job.state();                  // asked once: it may fail at any moment
+        if (job == doubted && state == RenderJob.State.FAILED) {
             if (!patience.isRunning() && banner.message(GONE) == null) {
                 patience.start();
             }
             return;
         }
-        status.show(rendering, state, picture.size100());
-        inspector.update(rendering);
-        String text = rendering.problems();
-        if (state != Rendering.State.READING && (rendering != told || !text.equals(toldText))) {
-            told = rendering;
+        status.show(job, state, picture.imageSize());
+        inspector.update(job);
+        String text = job.problems();
+        if (state != RenderJob.State.READING && (job != told || !text.equals(toldText))) {
+            told = job;
             toldText = text;
-            showProblems(rendering);
-            scene.markProblems(rendering);
+            showProblems(job);
+            document.markProblems(job);
         }
         refreshMenus();
     }
@@ -301,12 +301,12 @@ final class ViewerFrame extends JFrame {
         menus.refresh(picture.isBusy(), picture.whole() != null && !picture.isBusy(), opened != SceneSource.NONE);
     }
 
-    private void showProblems(Rendering rendering) {
-        String text = rendering.problems();
+    private void showProblems(RenderJob job) {
+        String text = job.problems();
         if (text.equals(problems.getText())) {
             return;                                           // the same as before: what is selected stays so
         }
-        problems.show(text, rendering.places());
+        problems.show(text, job.places());
         JScrollPane pane = text.isEmpty() ? null : new JScrollPane(problems);
         split.setBottomComponent(pane);
         split.setDividerSize(pane == null ? 0 : DIVIDER);

@@ -24,7 +24,7 @@ abstract class ZoomedComponent extends DrawnComponent implements Scrollable {
     }
 
     /** {@return the picture's size in its pixels} */
-    abstract Dimension size100();
+    abstract Dimension imageSize();
 
     /** To be called when the picture has another size. */
     final void resized() {
@@ -34,7 +34,7 @@ abstract class ZoomedComponent extends DrawnComponent implements Scrollable {
 
     /** {@return where the picture is, in screen pixels from the component's corner} */
     final Zoom.Place placed() {
-        return zoom.place(getSize(), size100(), ui());
+        return zoom.place(getSize(), imageSize(), ui());
     }
 
     /** {@return how many screen pixels a unit of the component's size has} */
@@ -55,7 +55,7 @@ abstract class ZoomedComponent extends DrawnComponent implements Scrollable {
         Zoom.Place place = placed();
         int x = place.column(inComponent.x * ui());
         int y = place.row(inComponent.y * ui());
-        return x >= 0 && y >= 0 && x < size100().width && y < size100().height ? new Point(x, y) : null;
+        return x >= 0 && y >= 0 && x < imageSize().width && y < imageSize().height ? new Point(x, y) : null;
     }
 
     final Zoom zoom() {
@@ -77,7 +77,7 @@ abstract class ZoomedComponent extends DrawnComponent implements Scrollable {
 
     @Override
     public Dimension getPreferredSize() {
-        return zoom.size(size100(), ui());
+        return zoom.size(imageSize(), ui());
     }
 
     @Override

@@ -19,7 +19,7 @@ class AccessibleNamesTest {
     void everythingThatCanBeUsedHasAName(@TempDir Path folder) {
         Path bad = TestScenes.write(folder.resolve("bad.scene"), "oops");
         try (OpenWindow window = new OpenWindow(SceneSource.file(bad), 64, 64)) {
-            window.untilState(Rendering.State.FAILED);
+            window.untilState(RenderJob.State.FAILED);
             List<Component> used = OpenWindow.ask(() -> OpenWindow.all(window.frame).filter(AccessibleNamesTest::isUsed)
                 .collect(Collectors.toList()));
 

@@ -34,7 +34,7 @@ class CameraToolTest {
         Path scene = TestScenes.write(folder.resolve("wall.scene"), "1\n1 0 0 1 -1\n"
             + "0.5 0.5 0.5 0.9 0.7 0.4 0 0 0 1\n0.3 0.3 0.3\n1\n0 1 1 1 3 2 1\n");
         window = new OpenWindow(SceneSource.file(scene), WIDTH, HEIGHT);
-        window.untilState(Rendering.State.FINISHED);
+        window.untilState(RenderJob.State.FINISHED);
         own = TestScenes.rendered(scene, WIDTH, HEIGHT);
         window.untilShown("the scene's own view", own);
         mouse = new Mouse(window.picture());
@@ -135,7 +135,7 @@ class CameraToolTest {
 
         assertThat(pose()).isNull();
         window.untilShown("the scene's own view", own);
-        window.untilState(Rendering.State.FINISHED);
+        window.untilState(RenderJob.State.FINISHED);
     }
 
     /** The thirty moves come faster than pictures; the last is the one that stays. */
@@ -163,7 +163,7 @@ class CameraToolTest {
         Path other = TestScenes.plain(folder.resolve("other.scene"), 0, 0, 1);
         OpenWindow.run(() -> window.frame.open(SceneSource.file(other)));
         assertThat(pose()).isNull();
-        window.untilState(Rendering.State.FINISHED);
+        window.untilState(RenderJob.State.FINISHED);
     }
 
     private void drag(int button, int right, int down) {
@@ -192,7 +192,7 @@ class CameraToolTest {
 
     /** {@return the picture, once it is the whole one of the camera that is asked for, and on the screen} */
     private BufferedImage rendered() {
-        window.untilState(Rendering.State.FINISHED);
+        window.untilState(RenderJob.State.FINISHED);
         BufferedImage expected = OpenWindow.ask(() -> TestScenes.shown(window.picture().whole()));
         window.untilShown("the moved view", expected);
         assertThat(TestScenes.sameAs(expected, own)).isFalse();

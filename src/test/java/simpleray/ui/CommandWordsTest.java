@@ -45,9 +45,9 @@ class CommandWordsTest {
         try (OpenWindow window = new OpenWindow(SceneSource.file(scene), 90, 60,
                 frame -> frame.picture().setRequest(new RenderRequest(asked, Stage.FINAL, false, 2)))) {
             OpenWindow.run(window.frame::render);
-            window.untilState(Rendering.State.FINISHED);
+            window.untilState(RenderJob.State.FINISHED);
             window.screen.press(KeyEvent.VK_2);
-            Screen.until("the stage is shown", () -> window.rendering().request().stage() == Stage.LIGHTING
+            Screen.until("the stage is shown", () -> window.job().request().stage() == Stage.LIGHTING
                 && window.picture().whole() != null
                 && !window.picture().isBusy());
             window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_C);
@@ -64,12 +64,12 @@ class CommandWordsTest {
     @Test
     void theLineOfARegionThatWasRenderedAloneMakesThatRegion() throws Exception {
         try (OpenWindow window = new OpenWindow(SceneSource.file(TestScenes.THESIS), 90, 60)) {
-            window.untilState(Rendering.State.FINISHED);
+            window.untilState(RenderJob.State.FINISHED);
             OpenWindow.run(() -> {
                 window.picture().regions().setAlone(true);
                 window.picture().regions().set(new Region(20, 10, 30, 20));
             });
-            Screen.until("the region is rendered", () -> window.picture().rendering().isAlone() && !window.picture().isBusy()
+            Screen.until("the region is rendered", () -> window.picture().job().isAlone() && !window.picture().isBusy()
                 && window.item("Copy Command Line").isEnabled());
             assertThat(window.canDo("Copy Picture")).isFalse();
             window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_L);
@@ -123,7 +123,7 @@ class CommandWordsTest {
     void aSceneWithoutAFileHasNoCommandLine() {
         byte[] text = "0  0 0 0  0".getBytes(StandardCharsets.US_ASCII);
         try (OpenWindow window = new OpenWindow(SceneSource.text(text), 16, 16)) {
-            window.untilState(Rendering.State.FINISHED);
+            window.untilState(RenderJob.State.FINISHED);
 
             assertThat(window.canDo("Copy Command Line")).isFalse();
             assertThat(window.canDo("Copy Picture")).isTrue();

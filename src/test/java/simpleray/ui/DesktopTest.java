@@ -41,7 +41,7 @@ class DesktopTest {
     @BeforeEach
     void finishThePicture() {
         window = new OpenWindow(SceneSource.file(TestScenes.THESIS), 90, 60);
-        window.untilState(Rendering.State.FINISHED);
+        window.untilState(RenderJob.State.FINISHED);
     }
 
     @AfterEach
@@ -67,15 +67,15 @@ class DesktopTest {
     void aRecentSceneThatIsGoneIsSaidToBeAndDropped() throws IOException {
         Path gone = TestScenes.plain(folder.resolve("gone.scene"), 0, 0, 1);
         OpenWindow.run(() -> window.frame.open(SceneSource.file(gone)));
-        window.untilState(Rendering.State.FINISHED);
+        window.untilState(RenderJob.State.FINISHED);
         Files.delete(gone);
-        Rendering before = window.rendering();
+        RenderJob before = window.job();
 
         choose("File", "Open Recent", "1 " + shortened(gone));
 
         Screen.until("it is said", () -> window.status().equals(gone + " is not there any more"));
         assertThat(recent()).containsExactly("1 " + shortened(TestScenes.THESIS.toAbsolutePath()), "Clear");
-        assertThat(window.rendering()).isSameAs(before);
+        assertThat(window.job()).isSameAs(before);
     }
 
     @Test

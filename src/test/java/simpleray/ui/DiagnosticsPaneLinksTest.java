@@ -67,7 +67,7 @@ class DiagnosticsPaneLinksTest {
         untilCaretAt("oops");
         window.screen.press(KeyEvent.VK_SHIFT, KeyEvent.VK_F4);
         untilCaretAt("bad");
-        assertThat(OpenWindow.ask(() -> window.frame.scene().marked())).containsExactly(
+        assertThat(OpenWindow.ask(() -> window.frame.document().marked())).containsExactly(
             "oops: expected object 1's ambient blue, found 'oops'", "bad: expected object 2's specular green, found 'bad'");
     }
 
@@ -85,12 +85,12 @@ class DiagnosticsPaneLinksTest {
         Path scene = TestScenes.write(folder.resolve("room.scene"), text);
         window = new OpenWindow(SceneSource.file(scene), 64, 64);
         Screen.until("the problems are shown", () -> window.problems() != null);
-        window.untilState(Rendering.State.FAILED);
+        window.untilState(RenderJob.State.FAILED);
     }
 
     private void untilCaretAt(String word) {
         Screen.until("the caret is at " + word, () -> {
-            SceneEditor editor = window.frame.scene().editor();
+            SceneEditor editor = window.frame.document().editor();
             return editor != null && editor.area().isFocusOwner() && editor.text().startsWith(word, editor.area().getCaretPosition());
         });
     }

@@ -58,7 +58,7 @@ class DiagnosticsPaneTest {
         openGoodScene();
         TestScenes.write(scene, BAD);
         window.screen.press(KeyEvent.VK_F5);
-        window.untilState(Rendering.State.FAILED);
+        window.untilState(RenderJob.State.FAILED);
         TestScenes.plain(scene, 0, 0, 1);
         window.screen.press(KeyEvent.VK_F5);
 
@@ -70,7 +70,7 @@ class DiagnosticsPaneTest {
     void keysWorkWhileTheTextOfAnErrorHasThem() {
         TestScenes.write(scene, BAD);
         window = new OpenWindow(SceneSource.file(scene), SIDE, SIDE);
-        window.untilState(Rendering.State.FAILED);
+        window.untilState(RenderJob.State.FAILED);
         window.screen.click(window.problems());
         Screen.until("the text has the keys", window.problems()::isFocusOwner);
         TestScenes.plain(scene, 0, 1, 0);
@@ -84,7 +84,7 @@ class DiagnosticsPaneTest {
         TestScenes.write(scene, BAD);
         window = new OpenWindow(SceneSource.file(scene), SIDE, SIDE);
 
-        window.untilState(Rendering.State.FAILED);
+        window.untilState(RenderJob.State.FAILED);
         assertThat(window.problems().getText()).startsWith(scene + ":2:22: error: ");
         assertThat(window.canDo("Save Picture As…")).isFalse();
         assertThat(window.canDo("Reload")).isTrue();
@@ -94,7 +94,7 @@ class DiagnosticsPaneTest {
     void aFirstSceneThatIsMissingIsTold() {
         window = new OpenWindow(SceneSource.file(scene), SIDE, SIDE);
 
-        window.untilState(Rendering.State.FAILED);
+        window.untilState(RenderJob.State.FAILED);
         assertThat(window.problems().getText()).isEqualTo(scene + ": no such file");
     }
 
@@ -112,7 +112,7 @@ class DiagnosticsPaneTest {
         TestScenes.write(scene, ODD);
         window = new OpenWindow(SceneSource.file(scene), 2 * SIDE, 2 * SIDE, frame -> {
             try {
-                frame.picture().rendering().await();
+                frame.picture().job().await();
                 frame.picture().run();
             } catch (InterruptedException e) {
                 throw new IllegalStateException(e);

@@ -16,7 +16,7 @@ class EventThreadTest {
         TestScenes.Gate gate = new TestScenes.Gate(0);
         try (OpenWindow window = new OpenWindow(TestScenes.watched(TestScenes.THESIS, gate), 200, 200)) {
             tick();
-            assertThat(window.rendering().state()).isEqualTo(Rendering.State.RENDERING);
+            assertThat(window.job().state()).isEqualTo(RenderJob.State.RENDERING);
             gate.open();
         } finally {
             gate.open();
@@ -27,7 +27,7 @@ class EventThreadTest {
     void itAnswersWhileALargePictureIsRendered() {
         try (OpenWindow window = new OpenWindow(SceneSource.file(TestScenes.MIRRORS), 3200, 2400)) {
             tick();
-            assertThat(window.rendering().state()).isEqualTo(Rendering.State.RENDERING);
+            assertThat(window.job().state()).isEqualTo(RenderJob.State.RENDERING);
         }
     }
 

@@ -34,7 +34,7 @@ class FirstLightTest {
     @BeforeEach
     void open() {
         window = new OpenWindow(SceneSource.file(TestScenes.THESIS), WIDTH, HEIGHT);
-        window.untilState(Rendering.State.FINISHED);
+        window.untilState(RenderJob.State.FINISHED);
     }
 
     @AfterEach
@@ -52,9 +52,9 @@ class FirstLightTest {
                 window.picture().setRequest(moved(0));
                 window.picture().restart();
                 begun.set(System.nanoTime());
-                Rendering rendering = window.picture().rendering();
+                RenderJob job = window.picture().job();
                 window.picture().setListener(() -> {
-                    if (rendering == window.picture().rendering() && rendering.isCoarse() && seen.get() == 0
+                    if (job == window.picture().job() && job.isCoarse() && seen.get() == 0
                         && isOpaque(window.picture().painted())) {
                         window.picture().paintImmediately(window.picture().getVisibleRect());
                         seen.set(System.nanoTime());
@@ -63,7 +63,7 @@ class FirstLightTest {
             });
             Screen.until("the coarse picture is painted", () -> seen.get() != 0);
             best = Math.min(best, (seen.get() - begun.get()) / 1e6);
-            window.untilState(Rendering.State.FINISHED);
+            window.untilState(RenderJob.State.FINISHED);
         }
         System.out.println("first light after " + best + " ms");
     }
@@ -88,7 +88,7 @@ class FirstLightTest {
                     meter.reset();                            // from here on it is warm
                 }
                 window.screen.press(KeyEvent.VK_F5);
-                window.untilState(Rendering.State.FINISHED);
+                window.untilState(RenderJob.State.FINISHED);
             }
             System.out.println("event thread: " + meter);
             assertThat(meter.events()).isPositive();
@@ -107,7 +107,7 @@ class FirstLightTest {
             window.picture().setListener(() -> {
                 if (window.picture().painted() != last[0]) {
                     last[0] = window.picture().painted();
-                    shown.add(window.picture().rendering().request());
+                    shown.add(window.picture().job().request());
                 }
             });
             Timer mouse = new Timer(10, e -> {
@@ -120,10 +120,10 @@ class FirstLightTest {
             mouse.start();
         });
         Screen.until("all moves are made", () -> step.get() == moves);
-        window.untilState(Rendering.State.FINISHED);
+        window.untilState(RenderJob.State.FINISHED);
 
         System.out.println(moves + " moves, " + shown.size() + " pictures seen");
-        assertThat(OpenWindow.ask(() -> window.picture().rendering().request())).isSameAs(shown.get(shown.size() - 1));
+        assertThat(OpenWindow.ask(() -> window.picture().job().request())).isSameAs(shown.get(shown.size() - 1));
         List<Double> eyes = shown.stream().map(request -> request.settings().camera.ex()).collect(Collectors.toList());
         assertThat(eyes).hasSizeGreaterThan(2).isSorted().endsWith(0.01 * moves);
         BufferedImage there = OpenWindow.ask(() -> window.picture().painted());

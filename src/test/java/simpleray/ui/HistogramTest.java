@@ -57,7 +57,7 @@ class HistogramTest {
         Picture picture = new Picture(2, 2);
         picture.setRow(0, new double[] {0, 0.5, 1, 1.5, 0, 0});
         picture.setRow(1, new double[] {0.2, 0.2, 0.2, 0, 0, -1});
-        Finished finished = new Finished(picture, SceneSource.NONE, OpenWindow.request(2, 2), 1.5, LocalTime.of(9, 5, 7));
+        FinishedRender finished = new FinishedRender(picture, SceneSource.NONE, OpenWindow.request(2, 2), 1.5, LocalTime.of(9, 5, 7));
 
         BufferedImage plain = Clipped.image(finished.pixels(), 2, 2);
         assertThat(levels(plain)).containsExactly(0x0080FF, 0xFF0000, 0x333333, 0x000000);

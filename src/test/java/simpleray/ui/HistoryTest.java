@@ -16,7 +16,7 @@ class HistoryTest {
     @Test
     void theLastEightAreKept() {
         History history = new History();
-        List<Finished> made = finished(10);
+        List<FinishedRender> made = finished(10);
         made.forEach(history::add);
 
         assertThat(history.pictures()).isEqualTo(made.subList(2, 10));
@@ -25,7 +25,7 @@ class HistoryTest {
     @Test
     void theOldestGoWhereThereIsNotRoomForAll() {
         History history = new History(3 * BYTES);
-        List<Finished> made = finished(5);
+        List<FinishedRender> made = finished(5);
         made.forEach(history::add);
 
         assertThat(history.pictures()).isEqualTo(made.subList(2, 5));
@@ -42,17 +42,17 @@ class HistoryTest {
     @Test
     void onesThatTheMachineTookBackAreGone() {
         History history = new History();
-        List<Finished> made = finished(3);
+        List<FinishedRender> made = finished(3);
         made.forEach(history::add);
         made.get(1).drop();
 
         assertThat(history.pictures()).containsExactly(made.get(0), made.get(2));
     }
 
-    private static List<Finished> finished(int count) {
+    private static List<FinishedRender> finished(int count) {
         Picture picture = new Picture(10, 10);
         IntStream.range(0, 10).forEach(y -> picture.setRow(y, new double[30]));
-        return IntStream.range(0, count).mapToObj(i -> new Finished(picture, SceneSource.NONE, OpenWindow.request(10, 10), 0,
+        return IntStream.range(0, count).mapToObj(i -> new FinishedRender(picture, SceneSource.NONE, OpenWindow.request(10, 10), 0,
             LocalTime.of(1, 2, i))).collect(Collectors.toList());
     }
 }

@@ -95,12 +95,12 @@ class InspectorTest {
         CountDownLatch open = new CountDownLatch(1);
         SceneSource source = held(held, new CountDownLatch(1), open);
         try (OpenWindow window = new OpenWindow(source, WIDTH, HEIGHT)) {
-            window.untilState(Rendering.State.FINISHED);
-            Rendering first = window.rendering();
+            window.untilState(RenderJob.State.FINISHED);
+            RenderJob first = window.job();
             held.set(true);
             OpenWindow.run(() -> window.picture().restart());
-            Screen.until("the next has begun", () -> window.picture().rendering() != first
-                && window.picture().rendering().state() == Rendering.State.RENDERING);
+            Screen.until("the next has begun", () -> window.picture().job() != first
+                && window.picture().job().state() == RenderJob.State.RENDERING);
             Point pixel = new Point(45, 36);
             move(window, pixel);
             Screen.until("the mouse is noticed", () -> window.label("pixel").startsWith("x 45, y 36   not rendered yet"));
@@ -200,7 +200,7 @@ class InspectorTest {
         CountDownLatch never = new CountDownLatch(1);
         SceneSource source = held(held, asked, never);
         try (OpenWindow window = new OpenWindow(source, WIDTH, HEIGHT)) {
-            window.untilState(Rendering.State.FINISHED);
+            window.untilState(RenderJob.State.FINISHED);
             held.set(true);
             window.screen.press(KeyEvent.VK_I);
             Screen.until("a ray of the story is on its way", () -> asked.getCount() == 0);
@@ -227,7 +227,7 @@ class InspectorTest {
 
     private static OpenWindow finished() {
         OpenWindow window = new OpenWindow(SceneSource.file(TestScenes.THESIS), WIDTH, HEIGHT);
-        window.untilState(Rendering.State.FINISHED);
+        window.untilState(RenderJob.State.FINISHED);
         window.untilShown("the picture", TestScenes.rendered(TestScenes.THESIS, WIDTH, HEIGHT));
         return window;
     }

@@ -32,7 +32,7 @@ class LiveTest {
         scene = TestScenes.plain(folder.resolve("room.scene"), 0.2, 0.4, 0.6);
         window = new OpenWindow(SceneSource.file(scene), SIDE, SIDE);
         window.untilShown("the first picture", TestScenes.rendered(scene, SIDE, SIDE));
-        window.untilState(Rendering.State.FINISHED);
+        window.untilState(RenderJob.State.FINISHED);
     }
 
     @AfterEach
@@ -45,14 +45,14 @@ class LiveTest {
     void aSavedSceneIsRendered(boolean inPlace) throws IOException {
         double best = Double.POSITIVE_INFINITY;               // told, not judged: 250 ms on a quiet machine
         for (int i = 1; i <= 3; i++) {
-            Rendering before = window.rendering();
+            RenderJob before = window.job();
             long begin = System.nanoTime();
             if (inPlace) {
                 TestScenes.plain(scene, 0, 1, 0.25 * i);
             } else {
                 Files.move(TestScenes.plain(folder.resolve("room.new"), 0, 1, 0.25 * i), scene, StandardCopyOption.ATOMIC_MOVE);
             }
-            Screen.until("another rendering is there", () -> window.rendering() != before);
+            Screen.until("another rendering is there", () -> window.job() != before);
             best = Math.min(best, (System.nanoTime() - begin) / 1e9);
             window.untilShown("the new picture", TestScenes.rendered(scene, SIDE, SIDE));
         }
@@ -87,7 +87,7 @@ class LiveTest {
     @Test
     void theSceneThatWasLastReadCanBeSeenOtherwiseWhileItsFileHasErrors() {
         BufferedImage original = TestScenes.rendered(scene, SIDE, SIDE, Stage.ORIGINAL);
-        RenderRequest request = window.rendering().request();
+        RenderRequest request = window.job().request();
         TestScenes.write(scene, BAD);
         window.untilProblems("found 'oops'");
         OpenWindow.run(() -> {
@@ -103,10 +103,10 @@ class LiveTest {
     void aHalfWrittenFileShowsNoError() {
         int minute = 60_000;
         OpenWindow.run(() -> window.frame.setPatience(minute));
-        Rendering before = window.rendering();
+        RenderJob before = window.job();
         TestScenes.write(scene, "");
-        Screen.until("half a scene was read", () -> window.rendering() != before
-            && window.rendering().state() == Rendering.State.FAILED && !window.picture().isBusy());
+        Screen.until("half a scene was read", () -> window.job() != before
+            && window.job().state() == RenderJob.State.FAILED && !window.picture().isBusy());
         assertThat(window.problems()).isNull();
         assertThat(window.status()).doesNotContain("not read");
         TestScenes.plain(scene, 1, 1, 0);

@@ -27,8 +27,8 @@ class ManyWindowsTest {
             ViewerFrame frame = OpenWindow.ask(
                 () -> new ViewerFrame(SceneSource.file(TestScenes.THESIS), OpenWindow.request(64, 64), () -> { }));
             if (i % 2 == 0) {                                 // every second is closed while it renders, or reads
-                Rendering rendering = OpenWindow.ask(() -> frame.picture().rendering());
-                rendering.await();
+                RenderJob job = OpenWindow.ask(() -> frame.picture().job());
+                job.await();
             }
             OpenWindow.run(frame::close);
             frame.await();
@@ -53,13 +53,13 @@ class ManyWindowsTest {
         double longest = 0;
         for (int i = 0; i < 3; i++) {
             OpenWindow window = new OpenWindow(TestScenes.slow(TestScenes.THESIS), 200, 200);
-            Screen.until("it renders", () -> window.picture().rendering().state() == Rendering.State.RENDERING
+            Screen.until("it renders", () -> window.picture().job().state() == RenderJob.State.RENDERING
                 && OpenWindow.threads().size() > 1);
             Screen.until("the icon is made, which is once", () -> !window.frame.getIconImages().isEmpty());
             long begin = System.nanoTime();
             window.close();                                   // and waits until the threads have ended
             longest = Math.max(longest, (System.nanoTime() - begin) / 1e6);
-            assertThat(window.rendering().state()).isEqualTo(Rendering.State.CANCELLED);
+            assertThat(window.job().state()).isEqualTo(RenderJob.State.CANCELLED);
         }
         System.out.println("threads gone after " + longest + " ms");
     }
@@ -67,7 +67,7 @@ class ManyWindowsTest {
     @Test
     void soIsOneThatIsPaused() {
         OpenWindow window = new OpenWindow(TestScenes.slow(TestScenes.THESIS), 200, 200);
-        Screen.until("it renders", () -> window.picture().rendering().state() == Rendering.State.RENDERING
+        Screen.until("it renders", () -> window.picture().job().state() == RenderJob.State.RENDERING
             && OpenWindow.threads().size() > 1);
         OpenWindow.run(() -> window.picture().setPaused(true));
         window.close();

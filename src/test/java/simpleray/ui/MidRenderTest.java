@@ -25,7 +25,7 @@ class MidRenderTest {
     void renderTheUpperHalf() {
         window = new OpenWindow(TestScenes.watched(TestScenes.THESIS, gate), SIDE, SIDE);
         Screen.until("the upper half is finished",
-            () -> window.picture().rendering().progress() != null && window.picture().rendering().progress().finished() == HALF);
+            () -> window.picture().job().progress() != null && window.picture().job().progress().finished() == HALF);
     }
 
     @AfterEach
@@ -68,7 +68,7 @@ class MidRenderTest {
         window.screen.press(KeyEvent.VK_ESCAPE);
         gate.open();
 
-        window.untilState(Rendering.State.CANCELLED);
+        window.untilState(RenderJob.State.CANCELLED);
         assertThat(window.status()).matches("Cancelled: 120 of 240 rows, [\\d.:]+ (s|min)");
         assertThat(window.canDo("Save Picture As…")).isFalse();
         assertThat(window.canDo("Cancel")).isFalse();
@@ -80,7 +80,7 @@ class MidRenderTest {
         gate.open();
 
         window.untilShown("the whole picture", TestScenes.rendered(TestScenes.THESIS, SIDE, SIDE));
-        window.untilState(Rendering.State.FINISHED);
+        window.untilState(RenderJob.State.FINISHED);
         assertThat(window.canDo("Save Picture As…")).isTrue();
     }
 }

@@ -128,12 +128,12 @@ final class OpenWindow implements AutoCloseable {
         return frame.picture();
     }
 
-    Rendering rendering() {
-        return ask(() -> picture().rendering());
+    RenderJob job() {
+        return ask(() -> picture().job());
     }
 
-    void untilState(Rendering.State state) {
-        Screen.until("the rendering is " + state, () -> picture().rendering().state() == state && !picture().isBusy());
+    void untilState(RenderJob.State state) {
+        Screen.until("the rendering is " + state, () -> picture().job().state() == state && !picture().isBusy());
     }
 
     /** {@return the text of a label of the status bar} */

@@ -28,7 +28,7 @@ class PictureDialogsSaveTest {
     @BeforeEach
     void finishThePicture() {
         window = new OpenWindow(SceneSource.file(TestScenes.THESIS), 120, 90);
-        window.untilState(Rendering.State.FINISHED);
+        window.untilState(RenderJob.State.FINISHED);
     }
 
     @AfterEach

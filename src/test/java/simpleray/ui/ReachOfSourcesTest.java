@@ -96,12 +96,12 @@ class ReachOfSourcesTest {
     void theWindowShowsTheMeshWhereverItLiesAndOpensNoOtherSceneSo() throws Exception {
         Path other = Files.write(scene.resolveSibling("b.scene"), text);
         try (OpenWindow window = new OpenWindow(SceneSource.file(scene, Reach.ANYWHERE), 60, 60)) {
-            window.untilState(Rendering.State.FINISHED);
+            window.untilState(RenderJob.State.FINISHED);
             OpenWindow.run(window.frame::render);
-            window.untilState(Rendering.State.FINISHED);
+            window.untilState(RenderJob.State.FINISHED);
 
             OpenWindow.run(() -> window.frame.open(SceneSource.file(other)));
-            window.untilState(Rendering.State.FAILED);
+            window.untilState(RenderJob.State.FAILED);
         }
     }
 }

@@ -37,7 +37,7 @@ class RegionToolTest {
     void shiftAndADragRenderTheRegionFirst() throws AWTException {
         AtomicReference<Consumer<Ray>> hurdle = new AtomicReference<>(gate);
         window = new OpenWindow(TestScenes.watched(TestScenes.THESIS, ray -> hurdle.get().accept(ray)), SIDE, SIDE);
-        Screen.until("it renders", () -> window.picture().rendering().isCoarse());
+        Screen.until("it renders", () -> window.picture().job().isCoarse());
         draw(REGION);
         Screen.until("the region is set", () -> REGION.equals(window.picture().regions().region()));
         hurdle.set(ray -> {
@@ -51,11 +51,11 @@ class RegionToolTest {
         gate.open();                                          // of the rendering before
 
         BufferedImage whole = TestScenes.rendered(TestScenes.THESIS, SIDE, SIDE);
-        Screen.until("the region is there, and of the rest only blocks", () -> window.picture().rendering().region() != null
-            && showsRegion(whole) && window.picture().rendering().progress() != null
-            && window.picture().rendering().progress().finished() == 0);
+        Screen.until("the region is there, and of the rest only blocks", () -> window.picture().job().region() != null
+            && showsRegion(whole) && window.picture().job().progress() != null
+            && window.picture().job().progress().finished() == 0);
         second.open();
-        window.untilState(Rendering.State.FINISHED);
+        window.untilState(RenderJob.State.FINISHED);
         OpenWindow.run(() -> window.picture().regions().set(null));
         window.untilShown("the whole", whole);
         assertThat(window.canDo("Save Picture As…")).isTrue();
@@ -65,21 +65,21 @@ class RegionToolTest {
     void regionOnlyRendersItAloneAndEscapeBringsTheRest() throws AWTException {
         gate.open();
         window = new OpenWindow(SceneSource.file(TestScenes.THESIS), SIDE, SIDE);
-        window.untilState(Rendering.State.FINISHED);
+        window.untilState(RenderJob.State.FINISHED);
         window.screen.press(KeyEvent.VK_G);
         assertThat(OpenWindow.ask(window.item("Region Only")::isSelected)).isTrue();
         draw(REGION);
         Screen.until("the region is set", () -> REGION.equals(window.picture().regions().region()));
 
-        window.untilState(Rendering.State.FINISHED);
-        assertThat(window.rendering().isAlone()).isTrue();
+        window.untilState(RenderJob.State.FINISHED);
+        assertThat(window.job().isAlone()).isTrue();
         assertThat(window.status()).startsWith("Finished: 41 of 41 rows");
-        assertThat(window.rendering().picture().row(REGION.y())).isNull();
+        assertThat(window.job().picture().row(REGION.y())).isNull();
         assertThat(window.canDo("Save Picture As…")).isFalse();
 
         window.screen.press(KeyEvent.VK_ESCAPE);
         Screen.until("there is no region", () -> window.picture().regions().region() == null);
-        window.untilState(Rendering.State.FINISHED);
+        window.untilState(RenderJob.State.FINISHED);
         window.untilShown("the whole", TestScenes.rendered(TestScenes.THESIS, SIDE, SIDE));
         assertThat(window.canDo("Save Picture As…")).isTrue();
     }
@@ -88,8 +88,8 @@ class RegionToolTest {
     void aDragIsClampedToThePictureAndEscapeGivesItUp() throws AWTException {
         gate.open();
         window = new OpenWindow(SceneSource.file(TestScenes.THESIS), SIDE, SIDE);
-        window.untilState(Rendering.State.FINISHED);
-        Rendering before = window.rendering();
+        window.untilState(RenderJob.State.FINISHED);
+        RenderJob before = window.job();
         Robot robot = new Robot();
         Point corner = corner();
         robot.keyPress(KeyEvent.VK_SHIFT);
@@ -100,7 +100,7 @@ class RegionToolTest {
         window.screen.press(KeyEvent.VK_ESCAPE);
         robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
         OpenWindow.run(() -> assertThat(window.picture().regions().region()).isNull());
-        assertThat(window.rendering()).isSameAs(before);
+        assertThat(window.job()).isSameAs(before);
 
         drag(robot, corner, new Point(200, 220), new Point(SIDE + 30, SIDE + 10));
         Screen.until("the region ends with the picture", () -> new Region(200, 220, 40, 20).equals(window.picture().regions().region()));
@@ -112,21 +112,21 @@ class RegionToolTest {
     void theNumbersOfARegionMayBeTyped() {
         gate.open();
         window = new OpenWindow(SceneSource.file(TestScenes.THESIS), SIDE, SIDE);
-        window.untilState(Rendering.State.FINISHED);
+        window.untilState(RenderJob.State.FINISHED);
         window.screen.press(KeyEvent.VK_SHIFT, KeyEvent.VK_G);
         Screen.until("a dialog asks", () -> OpenWindow.seen(JTextField.class, field -> field.isFocusOwner()) != null);
         JTextField field = OpenWindow.ask(() -> OpenWindow.seen(JTextField.class, JTextField::isFocusOwner));
         OpenWindow.run(() -> field.setText("10,20,30,40"));
         window.screen.press(KeyEvent.VK_ENTER);
         Screen.until("the region is set", () -> new Region(10, 20, 30, 40).equals(window.picture().regions().region()));
-        window.untilState(Rendering.State.FINISHED);
+        window.untilState(RenderJob.State.FINISHED);
     }
 
     @Test
     void aPointOfTheComponentIsAPixelOfThePictureOrNone() {
         gate.open();
         window = new OpenWindow(SceneSource.file(TestScenes.THESIS), SIDE, SIDE);
-        window.untilState(Rendering.State.FINISHED);
+        window.untilState(RenderJob.State.FINISHED);
         OpenWindow.run(() -> {
             Rectangle place = window.picture().place();
             assertThat(window.picture().pixelAt(new Point(place.x, place.y))).isEqualTo(new Point(0, 0));

@@ -25,16 +25,16 @@ class SaveViewInTextTest {
     void openTheText() {
         scene = TestScenes.write(folder.resolve("wall.scene"), SCENE);
         window = new OpenWindow(SceneSource.file(scene), 60, 40);
-        window.untilState(Rendering.State.FINISHED);
-        OpenWindow.run(() -> window.frame.scene().toggle());
-        Screen.until("the text is there", () -> SCENE.equals(window.frame.scene().text()));
+        window.untilState(RenderJob.State.FINISHED);
+        OpenWindow.run(() -> window.frame.document().toggle());
+        Screen.until("the text is there", () -> SCENE.equals(window.frame.document().text()));
         OpenWindow.run(() -> window.item("Nearer").doClick(0));
-        window.untilState(Rendering.State.FINISHED);
+        window.untilState(RenderJob.State.FINISHED);
     }
 
     @AfterEach
     void close() {
-        OpenWindow.run(() -> window.frame.scene().forget());
+        OpenWindow.run(() -> window.frame.document().forget());
         window.close();
     }
 
@@ -42,10 +42,10 @@ class SaveViewInTextTest {
     void aTextAsTheFileHasItIsSavedWithTheView() throws IOException {
         save();
 
-        Screen.until("it is in the text, and saved", () -> (SCENE + CAMERA).equals(window.frame.scene().text())
-            && !window.frame.scene().isChanged());
+        Screen.until("it is in the text, and saved", () -> (SCENE + CAMERA).equals(window.frame.document().text())
+            && !window.frame.document().isChanged());
         assertThat(Files.readString(scene)).isEqualTo(SCENE + CAMERA);
-        window.untilState(Rendering.State.FINISHED);
+        window.untilState(RenderJob.State.FINISHED);
         assertThat(OpenWindow.ask(() -> window.picture().request().settings().camera)).isNull();
         assertThat(OpenWindow.ask(() -> window.frame.banner().message("conflict"))).isNull();
     }
@@ -53,18 +53,18 @@ class SaveViewInTextTest {
     @Test
     void whatWasTypedStaysUnsavedAndHasTheView() throws IOException {
         String typed = SCENE.replace("0.6", "0.9");
-        OpenWindow.run(() -> window.frame.scene().editor().area().setText(typed));
+        OpenWindow.run(() -> window.frame.document().editor().area().setText(typed));
         save();
 
-        Screen.until("it is in the text", () -> (typed + CAMERA).equals(window.frame.scene().text()));
+        Screen.until("it is in the text", () -> (typed + CAMERA).equals(window.frame.document().text()));
         assertThat(Files.readString(scene)).isEqualTo(SCENE);
         Screen.until("it is rendered", () -> window.picture().whole() != null && !window.picture().isBusy()
-            && window.picture().rendering().settings().camera != null && window.picture().request().settings().camera == null);
-        assertThat(OpenWindow.ask(() -> window.frame.scene().isChanged())).isTrue();
+            && window.picture().job().settings().camera != null && window.picture().request().settings().camera == null);
+        assertThat(OpenWindow.ask(() -> window.frame.document().isChanged())).isTrue();
         assertThat(window.canDo("Copy Command Line")).isFalse();
 
         window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_S);
-        Screen.until("it is saved", () -> !window.frame.scene().isChanged());
+        Screen.until("it is saved", () -> !window.frame.document().isChanged());
         assertThat(Files.readString(scene)).isEqualTo(typed + CAMERA);
         Screen.until("now a command line can name it", () -> window.item("Copy Command Line").isEnabled());
     }

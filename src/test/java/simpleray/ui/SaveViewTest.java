@@ -36,7 +36,7 @@ class SaveViewTest {
     void finishThePicture() {
         scene = TestScenes.write(folder.resolve("wall.scene"), SCENE);
         window = new OpenWindow(SceneSource.file(scene), 90, 60);
-        window.untilState(Rendering.State.FINISHED);
+        window.untilState(RenderJob.State.FINISHED);
     }
 
     @AfterEach
@@ -59,7 +59,7 @@ class SaveViewTest {
     void aWindowThatNoFreeCameraShowsIsCopiedAsItIs() {
         byte[] framed = (SCENE + "window -1 3 -2 2\r\ncop 4\r\n").getBytes(StandardCharsets.UTF_8);
         OpenWindow.run(() -> window.frame.open(SceneSource.text(framed)));
-        window.untilState(Rendering.State.FINISHED);
+        window.untilState(RenderJob.State.FINISHED);
         window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_C);
 
         untilClipboard("window -1.0 3.0 -2.0 2.0\ncop 4.0\n");
@@ -74,7 +74,7 @@ class SaveViewTest {
         assertThat(text()).isEqualTo(SCENE + "camera 0.0 0.0 1.7000000000000002 0.0 0.0 -1.0 90.0\r\n");
         assertThat(SceneFile.read(scene).scene().settings.camera).isEqualTo(moved);
         Screen.until("it is the scene's own", () -> window.picture().request().settings().camera == null);
-        window.untilState(Rendering.State.FINISHED);
+        window.untilState(RenderJob.State.FINISHED);
 
         save();
         Screen.until("there is nothing to save", () -> window.status().equals("The scene has this view already"));
@@ -113,7 +113,7 @@ class SaveViewTest {
         moved();
         TestScenes.write(scene, "oops");
         window.screen.press(KeyEvent.VK_F5);
-        window.untilState(Rendering.State.FAILED);
+        window.untilState(RenderJob.State.FAILED);
         save();
 
         untilRefused("It is not readable as a scene: ");
@@ -123,7 +123,7 @@ class SaveViewTest {
     @Test
     void aSceneWithoutAFileIsRefused() throws IOException {
         OpenWindow.run(() -> window.frame.open(SceneSource.text(SCENE.getBytes(StandardCharsets.UTF_8))));
-        window.untilState(Rendering.State.FINISHED);
+        window.untilState(RenderJob.State.FINISHED);
         moved();
         save();
 
@@ -139,7 +139,7 @@ class SaveViewTest {
             window.picture().setRequest(window.picture().request().with(asked));
             window.picture().start();
         });
-        window.untilState(Rendering.State.FINISHED);
+        window.untilState(RenderJob.State.FINISHED);
         save();
         untilSaved();
 
@@ -148,10 +148,10 @@ class SaveViewTest {
 
     /** {@return the camera, after a step nearer} */
     private Pose moved() {
-        Rendering before = window.rendering();
+        RenderJob before = window.job();
         window.screen.press(KeyEvent.VK_PAGE_UP);
-        Screen.until("the move is rendered", () -> window.picture().rendering() != before);
-        window.untilState(Rendering.State.FINISHED);
+        Screen.until("the move is rendered", () -> window.picture().job() != before);
+        window.untilState(RenderJob.State.FINISHED);
         return OpenWindow.ask(() -> window.picture().request().settings().camera);
     }
 

@@ -21,7 +21,7 @@ final class ScaledDesktop {
     public static void main(String... args) throws Exception {
         BufferedImage whole = TestScenes.rendered(TestScenes.THESIS, WIDTH, HEIGHT);
         try (OpenWindow window = new OpenWindow(SceneSource.file(TestScenes.THESIS), WIDTH, HEIGHT)) {
-            window.untilState(Rendering.State.FINISHED);
+            window.untilState(RenderJob.State.FINISHED);
             Screen.until("each pixel of the picture is one of the screen", () -> shows(window, whole, 1));
             if (window.picture().ui() != Math.floor(Double.parseDouble(System.getProperty("sun.java2d.uiScale")))) {
                 System.out.println("the desktop's scale is " + window.picture().ui());   // X11 has whole ones only

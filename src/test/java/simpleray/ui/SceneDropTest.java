@@ -37,7 +37,7 @@ class SceneDropTest {
     @BeforeEach
     void open() {
         window = new OpenWindow(SceneSource.file(TestScenes.THESIS), SIDE, SIDE);
-        window.untilState(Rendering.State.FINISHED);
+        window.untilState(RenderJob.State.FINISHED);
     }
 
     @AfterEach

@@ -45,14 +45,14 @@ class SceneEditorTest {
     void open() {
         scene = TestScenes.write(folder.resolve("room.scene"), "\uFEFF" + TEXT);
         window = new OpenWindow(SceneSource.file(scene), SIDE, SIDE);
-        window.untilState(Rendering.State.FINISHED);
+        window.untilState(RenderJob.State.FINISHED);
         window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_E);
         Screen.until("the text has the keys", () -> area() != null && area().isFocusOwner());
     }
 
     @AfterEach
     void close() {
-        OpenWindow.run(() -> window.frame.scene().forget());
+        OpenWindow.run(() -> window.frame.document().forget());
         window.close();
     }
 
@@ -69,11 +69,11 @@ class SceneEditorTest {
 
     @Test
     void keysThatTypeAreNoShortcuts() {
-        Rendering before = window.rendering();
+        RenderJob before = window.job();
         window.screen.type("123 adsf ");
 
         Screen.until("all is typed", () -> text().startsWith("123 adsf 1\n"));
-        assertThat(window.rendering()).isSameAs(before);
+        assertThat(window.job()).isSameAs(before);
         assertThat(OpenWindow.ask(window.item("Fit to Window")::isSelected)).isFalse();
         window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_E);
         Screen.until("the picture has the keys", () -> window.picture().isFocusOwner());
@@ -91,7 +91,7 @@ class SceneEditorTest {
         assertThat(scene).hasContent("\uFEFF" + TEXT);
         assertThat(title()).isEqualTo("*room.scene - SimpleRay");
         window.screen.press(KeyEvent.VK_F5);
-        window.untilState(Rendering.State.FINISHED);
+        window.untilState(RenderJob.State.FINISHED);
         window.untilShown("the text's picture again", TestScenes.rendered(other, SIDE, SIDE));
     }
 
@@ -121,12 +121,12 @@ class SceneEditorTest {
     void savingWhatIsRenderedDoesNotRenderItAgain() {
         replace("0.6", "0.7");
         window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_ENTER);
-        window.untilState(Rendering.State.FINISHED);
-        Rendering rendered = window.rendering();
+        window.untilState(RenderJob.State.FINISHED);
+        RenderJob rendered = window.job();
         save();
 
         Screen.until("it is saved", () -> window.status().equals("Saved " + scene));
-        assertThat(window.rendering()).isSameAs(rendered);
+        assertThat(window.job()).isSameAs(rendered);
     }
 
     @Test
@@ -160,16 +160,16 @@ class SceneEditorTest {
         replace("0.4", "oops");
         window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_ENTER);
 
-        Screen.until("the error is marked", () -> !window.frame.scene().marked().isEmpty());
+        Screen.until("the error is marked", () -> !window.frame.document().marked().isEmpty());
         String message = "expected object 1's ambient green, found 'oops'";
-        assertThat(OpenWindow.ask(() -> window.frame.scene().marked())).containsExactly("oops: " + message);
+        assertThat(OpenWindow.ask(() -> window.frame.document().marked())).containsExactly("oops: " + message);
         assertThat(OpenWindow.ask(() -> area().getToolTipText(over("oops")))).isEqualTo(message);
         assertThat(OpenWindow.ask(() -> area().getToolTipText(over("1 1 1")))).isNull();
         assertThat(OpenWindow.ask(() -> signs("oops"))).isEqualTo(1);
         assertThat(OpenWindow.ask(() -> signs("1 1 1"))).isZero();
         replace("oops", "0.5");
         window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_ENTER);
-        Screen.until("no error is marked", () -> window.frame.scene().marked().isEmpty());
+        Screen.until("no error is marked", () -> window.frame.document().marked().isEmpty());
     }
 
     @Test
@@ -177,7 +177,7 @@ class SceneEditorTest {
         window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_F);
         JTextField field = OpenWindow.appears("the field", JTextField.class, f -> "find".equals(f.getName()));
         Screen.until("it has the keys", field::isFocusOwner);
-        Rendering before = window.rendering();
+        RenderJob before = window.job();
         window.screen.type("1 1");
         Screen.until("it is found", () -> "1 1".equals(area().getSelectedText()));
         int first = OpenWindow.ask(() -> area().getSelectionStart());
@@ -192,7 +192,7 @@ class SceneEditorTest {
         Screen.until("nothing is found", () -> OpenWindow.seen(JLabel.class, l -> "not found".equals(l.getText())) != null);
         window.screen.press(KeyEvent.VK_ESCAPE);
         Screen.until("the text has the keys", () -> area().isFocusOwner() && !field.isShowing());
-        assertThat(window.rendering()).isSameAs(before);
+        assertThat(window.job()).isSameAs(before);
     }
 
     @Test
@@ -233,7 +233,7 @@ class SceneEditorTest {
     }
 
     private SceneArea area() {
-        return OpenWindow.ask(() -> window.frame.scene().editor() == null ? null : window.frame.scene().editor().area());
+        return OpenWindow.ask(() -> window.frame.document().editor() == null ? null : window.frame.document().editor().area());
     }
 
     private String text() {

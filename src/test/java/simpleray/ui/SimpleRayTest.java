@@ -86,11 +86,11 @@ class SimpleRayTest {
         show(SceneSource.file(TestScenes.THESIS));
         OpenWindow.run(ray::init);
         OpenWindow.run(ray::start);
-        Screen.until("all rows are finished", () -> ray.rendering().state().ended());
+        Screen.until("all rows are finished", () -> ray.job().state().ended());
         OpenWindow.run(() -> {
             do {                                              // it stops in between where the machine is slow
                 ray.run();
-            } while (!ray.rendering().pieces().isEmpty());
+            } while (!ray.job().runs().isEmpty());
         });
 
         assertThat(Screen.shows(painted(ray::paint), 0, 0, whole, 0, SIDE)).isTrue();

@@ -28,7 +28,7 @@ class UnsavedTest {
 
     @AfterEach
     void close() {
-        OpenWindow.run(() -> window.frame.scene().forget());
+        OpenWindow.run(() -> window.frame.document().forget());
         window.close();
     }
 
@@ -87,7 +87,7 @@ class UnsavedTest {
         window.untilShown("their picture", TestScenes.rendered(scene, SIDE, SIDE));
         assertThat(text()).isEqualTo(THEIRS);
         assertThat(banner()).isNull();
-        OpenWindow.run(() -> window.frame.scene().editor().area().undoLastAction());
+        OpenWindow.run(() -> window.frame.document().editor().area().undoLastAction());
         assertThat(text()).isEqualTo(MINE);
     }
 
@@ -119,12 +119,12 @@ class UnsavedTest {
     @Test
     void aTextWithoutChangesFollowsTheFileAndKeepsItsCaret() {
         open(SceneSource.file(write(TEXT)));
-        OpenWindow.run(() -> window.frame.scene().editor().area().setCaretPosition(TEXT.indexOf("1 1 1")));
+        OpenWindow.run(() -> window.frame.document().editor().area().setCaretPosition(TEXT.indexOf("1 1 1")));
         String other = "# more\n" + THEIRS;
         writeAsAnother(other);
 
         Screen.until("the text is the file's", () -> text().equals(other));
-        assertThat(OpenWindow.ask(() -> window.frame.scene().editor().area().getCaretPosition())).isEqualTo(other.indexOf("1 1 1"));
+        assertThat(OpenWindow.ask(() -> window.frame.document().editor().area().getCaretPosition())).isEqualTo(other.indexOf("1 1 1"));
         assertThat(banner()).isNull();
     }
 
@@ -142,7 +142,7 @@ class UnsavedTest {
     @Test
     void aTextFromStandardInputIsSavedWhereTheUserSays() throws IOException {
         open(SceneSource.text(TEXT.getBytes(StandardCharsets.UTF_8)));
-        OpenWindow.run(() -> window.frame.scene().editor().area().setText(MINE));
+        OpenWindow.run(() -> window.frame.document().editor().area().setText(MINE));
         Path saved = folder.resolve("saved.scene");
         window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_S);
         FileDialog dialog = new FileDialog(window.screen);
@@ -182,7 +182,7 @@ class UnsavedTest {
 
     private void saveOverTheirs(String answer) {
         open(SceneSource.text(TEXT.getBytes(StandardCharsets.UTF_8)));
-        OpenWindow.run(() -> window.frame.scene().editor().area().setText(MINE));
+        OpenWindow.run(() -> window.frame.document().editor().area().setText(MINE));
         write(THEIRS);
         window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_S);
         FileDialog dialog = new FileDialog(window.screen);
@@ -212,15 +212,15 @@ class UnsavedTest {
 
     private void open(SceneSource source) {
         window = new OpenWindow(source, SIDE, SIDE);
-        window.untilState(Rendering.State.FINISHED);
+        window.untilState(RenderJob.State.FINISHED);
         window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_E);
-        Screen.until("the text has the keys", () -> window.frame.scene().editor() != null
-            && window.frame.scene().editor().area().isFocusOwner());
+        Screen.until("the text has the keys", () -> window.frame.document().editor() != null
+            && window.frame.document().editor().area().isFocusOwner());
     }
 
     private void openChanged() {
         open(SceneSource.file(write(TEXT)));
-        OpenWindow.run(() -> window.frame.scene().editor().area().setText(MINE));
+        OpenWindow.run(() -> window.frame.document().editor().area().setText(MINE));
         assertThat(OpenWindow.ask(window.frame::getTitle)).isEqualTo("*room.scene - SimpleRay");
     }
 
@@ -248,6 +248,6 @@ class UnsavedTest {
     }
 
     private String text() {
-        return OpenWindow.ask(() -> window.frame.scene().editor().text());
+        return OpenWindow.ask(() -> window.frame.document().editor().text());
     }
 }

@@ -31,7 +31,7 @@ class ViewerFrameClosingTest {
         OpenWindow.run(() -> window.frame.dispatchEvent(new WindowEvent(window.frame, WindowEvent.WINDOW_CLOSING)));
 
         Screen.until("all threads end", () -> OpenWindow.threads().isEmpty());
-        assertThat(window.rendering().state()).isEqualTo(Rendering.State.CANCELLED);
+        assertThat(window.job().state()).isEqualTo(RenderJob.State.CANCELLED);
         assertThat(window.closed).isTrue();
         assertThat(OpenWindow.ask(window.frame::isDisplayable)).isFalse();
     }
@@ -42,18 +42,18 @@ class ViewerFrameClosingTest {
         window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_Q);
 
         Screen.until("all threads end", () -> OpenWindow.threads().isEmpty());
-        assertThat(window.rendering().state()).isEqualTo(Rendering.State.CANCELLED);
+        assertThat(window.job().state()).isEqualTo(RenderJob.State.CANCELLED);
     }
 
     @Test
     void aRenderingThatTookThePlaceOfAnotherEndsIt() {
         window = openRendering();
-        Rendering first = window.rendering();
+        RenderJob first = window.job();
         window.screen.press(KeyEvent.VK_F5);
 
-        Screen.until("the first is cancelled", () -> first.state() == Rendering.State.CANCELLED);
-        assertThat(window.rendering()).isNotSameAs(first);
-        assertThat(window.rendering().state().ended()).isFalse();
+        Screen.until("the first is cancelled", () -> first.state() == RenderJob.State.CANCELLED);
+        assertThat(window.job()).isNotSameAs(first);
+        assertThat(window.job().state().ended()).isFalse();
     }
 
     @Test
@@ -125,6 +125,6 @@ class ViewerFrameClosingTest {
     }
 
     private static boolean isRendering(ViewerFrame frame) {
-        return frame.picture().rendering().state() == Rendering.State.RENDERING && OpenWindow.threads().size() > 1;
+        return frame.picture().job().state() == RenderJob.State.RENDERING && OpenWindow.threads().size() > 1;
     }
 }

@@ -18,7 +18,7 @@ class ViewerMenusKeysTest {
     @BeforeEach
     void finishThePicture() {
         window = new OpenWindow(SceneSource.file(TestScenes.THESIS), 90, 60);
-        window.untilState(Rendering.State.FINISHED);
+        window.untilState(RenderJob.State.FINISHED);
     }
 
     @AfterEach
@@ -34,7 +34,7 @@ class ViewerMenusKeysTest {
         window.screen.press(KeyEvent.getExtendedKeyCodeForChar(Character.toLowerCase(key)));
 
         window.untilShown("stage " + stage, TestScenes.rendered(TestScenes.THESIS, 90, 60, stage));
-        window.untilState(Rendering.State.FINISHED);
+        window.untilState(RenderJob.State.FINISHED);
         assertThat(window.label("size")).isEqualTo("90 × 60, " + stage);
         assertThat(OpenWindow.ask(window.item(item)::isSelected)).isTrue();
     }
@@ -42,15 +42,15 @@ class ViewerMenusKeysTest {
     @ParameterizedTest
     @ValueSource(strings = {"F5", "control R"})
     void reloadHasTwoKeys(String key) {
-        Rendering before = window.rendering();
+        RenderJob before = window.job();
         if (key.equals("F5")) {
             window.screen.press(KeyEvent.VK_F5);
         } else {
             window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_R);
         }
 
-        assertThat(window.rendering()).isNotSameAs(before);
-        window.untilState(Rendering.State.FINISHED);
+        assertThat(window.job()).isNotSameAs(before);
+        window.untilState(RenderJob.State.FINISHED);
         window.untilShown("the picture", TestScenes.rendered(TestScenes.THESIS, 90, 60));
     }
 
@@ -58,7 +58,7 @@ class ViewerMenusKeysTest {
     void escapeDoesNothingToAFinishedPicture() {
         window.screen.press(KeyEvent.VK_ESCAPE);
 
-        assertThat(window.rendering().state()).isEqualTo(Rendering.State.FINISHED);
+        assertThat(window.job().state()).isEqualTo(RenderJob.State.FINISHED);
         assertThat(window.status()).startsWith("Finished: 60 of 60 rows");
     }
 

@@ -19,7 +19,7 @@ class ViewerMenusTest {
     @BeforeEach
     void finishThePicture() {
         window = new OpenWindow(SceneSource.file(TestScenes.THESIS), 90, 60);
-        window.untilState(Rendering.State.FINISHED);
+        window.untilState(RenderJob.State.FINISHED);
     }
 
     @AfterEach
@@ -65,12 +65,12 @@ class ViewerMenusTest {
 
     @Test
     void aClickOnReloadRendersAgain() {
-        Rendering before = window.rendering();
+        RenderJob before = window.job();
         opened("File");
         window.screen.click(window.item("Reload"));
 
-        Screen.until("another rendering is there", () -> window.rendering() != before);
-        window.untilState(Rendering.State.FINISHED);
+        Screen.until("another rendering is there", () -> window.job() != before);
+        window.untilState(RenderJob.State.FINISHED);
     }
 
     @Test

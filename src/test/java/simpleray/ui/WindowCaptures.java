@@ -69,17 +69,17 @@ final class WindowCaptures {
             }
         });
         try (OpenWindow window = open(held, dark, 640, 440)) {
-            Screen.until("the coarse picture is there", () -> window.picture().rendering().isCoarse() && left.get() < 0
-                && window.picture().rendering().pieces().isEmpty());
+            Screen.until("the coarse picture is there", () -> window.picture().job().isCoarse() && left.get() < 0
+                && window.picture().job().runs().isEmpty());
             capture(window, "coarse");
             gate.countDown();
-            window.untilState(Rendering.State.FINISHED);
+            window.untilState(RenderJob.State.FINISHED);
         }
     }
 
     private void finished(boolean dark) throws Exception {
         try (OpenWindow window = open(SceneSource.file(TestScenes.THESIS), dark, 640, 440)) {
-            window.untilState(Rendering.State.FINISHED);
+            window.untilState(RenderJob.State.FINISHED);
             Mouse mouse = new Mouse(window.picture());
             mouse.move(at(window, 0.4, 0.6));
             Screen.until("the pixel is told", () -> window.label("pixel").contains("object"));
@@ -99,10 +99,10 @@ final class WindowCaptures {
 
             OpenWindow.run(() -> window.picture().requestFocusInWindow());
             mouse.drag(InputEvent.BUTTON1_DOWN_MASK, at(window, 0.5, 0.5), at(window, 0.6, 0.55));
-            window.untilState(Rendering.State.FINISHED);
+            window.untilState(RenderJob.State.FINISHED);
             capture(window, "camera");
             window.screen.press(KeyEvent.VK_HOME);
-            window.untilState(Rendering.State.FINISHED);
+            window.untilState(RenderJob.State.FINISHED);
 
             window.screen.press(KeyEvent.VK_M);
             untilLatest(window, "shadows");
@@ -114,8 +114,8 @@ final class WindowCaptures {
             capture(window, "wipe");
             window.screen.press(KeyEvent.VK_W);
             OpenWindow.run(() -> window.frame.open(SceneSource.file(TestScenes.THESIS.resolveSibling("refraction.scene"))));
-            Screen.until("a brighter scene", () -> window.picture().rendering().source().name().contains("refraction")
-                && window.picture().rendering().state() == Rendering.State.FINISHED && !window.picture().isBusy());
+            Screen.until("a brighter scene", () -> window.picture().job().source().name().contains("refraction")
+                && window.picture().job().state() == RenderJob.State.FINISHED && !window.picture().isBusy());
             window.screen.press(KeyEvent.VK_X);
             window.screen.press(KeyEvent.VK_H);
             window.screen.press(KeyEvent.VK_L);
@@ -141,19 +141,19 @@ final class WindowCaptures {
         String text = Files.readString(TestScenes.THESIS, StandardCharsets.UTF_8);
         Files.writeString(scene, text);
         try (OpenWindow window = open(SceneSource.file(scene), dark, 960, 560)) {
-            window.untilState(Rendering.State.FINISHED);
+            window.untilState(RenderJob.State.FINISHED);
             window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_E);
             OpenWindow.appears("the text", RSyntaxTextArea.class, a -> a.isEnabled() && a.getText().equals(text));
             Files.writeString(scene, text.replaceFirst("0\\.\\d+", "0.5x"));
             Screen.until("the error is told", () -> window.problems() != null && window.problems().getText().contains("0.5x")
-                && !window.frame.scene().marked().isEmpty());
+                && !window.frame.document().marked().isEmpty());
             capture(window, "error");
         }
     }
 
     private static void untilLatest(OpenWindow window, String stage) {
         Screen.until("the picture of " + stage + " is kept", () -> {
-            List<Finished> kept = window.frame.desktop().comparison().pictures();
+            List<FinishedRender> kept = window.frame.desktop().comparison().pictures();
             return !window.picture().isBusy() && !kept.isEmpty() && kept.get(kept.size() - 1).toString().contains(", " + stage + ",");
         });
     }

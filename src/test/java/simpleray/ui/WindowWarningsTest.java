@@ -26,7 +26,7 @@ class WindowWarningsTest {
         TestScenes.write(scene, "2\n1  0 0 1 -1  0.2 0.4 0.6  0 0 0  0 0 0  0\n0  0 0 9  1  0.2 0.4 0.6  0 0 0  0 0 0  0\n1 1 1\n0\n");
         window = new OpenWindow(SceneSource.file(scene), SIDE, SIDE);
 
-        window.untilState(Rendering.State.FINISHED);
+        window.untilState(RenderJob.State.FINISHED);
         Screen.until("the warning is shown", () -> window.problems() != null);
         assertThat(window.problems().getText()).isEqualTo(scene + ":3:1: warning: object 2 was not seen by any of 18496 rays");
         window.untilShown("the picture", TestScenes.rendered(scene, SIDE, SIDE));

@@ -32,7 +32,7 @@ class ZoomTest {
     @BeforeEach
     void finishThePicture() {
         window = new OpenWindow(SceneSource.file(TestScenes.THESIS), WIDTH, HEIGHT);
-        window.untilState(Rendering.State.FINISHED);
+        window.untilState(RenderJob.State.FINISHED);
     }
 
     @AfterEach
@@ -112,7 +112,7 @@ class ZoomTest {
         OpenWindow.run(() -> window.picture().paintImmediately(window.picture().getVisibleRect()));
         BufferedImage inOneGo = OpenWindow.ask(() -> window.screen.capture(window.picture(), window.picture().place()));
         window.screen.press(KeyEvent.VK_F5);
-        window.untilState(Rendering.State.FINISHED);
+        window.untilState(RenderJob.State.FINISHED);
 
         Screen.until("the same is on the screen", () -> Screen.shows(
             window.screen.capture(window.picture(), window.picture().place()), 0, 0, inOneGo, 0, inOneGo.getHeight()));

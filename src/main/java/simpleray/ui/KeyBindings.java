@@ -7,8 +7,8 @@ import javax.swing.JComponent;
 import javax.swing.KeyStroke;
 
 /** What fields for text have in common: keys that type something are theirs, though the window has them for shortcuts. */
-final class Typing {
-    private Typing() {
+final class KeyBindings {
+    private KeyBindings() {
     }
 
     /**

@@ -5,8 +5,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 
-/** The rows of a rendering that something went wrong with, and what. <em>Mutable</em>; any thread may call. */
-final class Faults {
+/** The rows that could not be rendered, each with the reason. <em>Mutable</em>; any thread may call. */
+final class FailedRows {
     private static final int MAX_LINES = 20;
 
     private final TreeMap<Integer, String> rows = new TreeMap<>();

@@ -8,27 +8,27 @@ import simpleray.render.PassListener;
 import simpleray.render.PixelRun;
 import simpleray.render.Progress;
 
-/** What is finished of a picture and not yet painted: the threads that render add, the event thread takes. Neither waits for the other. */
-final class Pieces implements PassListener {
+/** Pixel runs that are finished and not yet painted. The threads that render add them, the event thread takes them; neither waits. */
+final class PixelRunQueue implements PassListener {
     private static final int LEVEL = 0xFF;
 
-    private final Queue<Piece> queue = new ConcurrentLinkedQueue<>();
-    private final Faults faults = new Faults();
+    private final Queue<Entry> queue = new ConcurrentLinkedQueue<>();
+    private final FailedRows failed = new FailedRows();
     private volatile Progress counter;
     private volatile double width;
     private volatile boolean coarse;
     private volatile Runnable coarseTask = () -> { };
 
-    /** Finished pixels, or a row that could not be rendered. */
-    private record Piece(Canvas.Strip strip, int failedRow) {
+    /** A finished run with its colours, packed for the screen; or, if the run is null, the row that could not be rendered. */
+    private record Entry(PixelRun run, int[] rgb, int failedRow) {
     }
 
-    /** Sets what is done once the picture is there in coarse blocks, on some thread; before rendering. */
+    /** Sets the task for the moment when the picture is there in coarse blocks; some thread runs it. Call before rendering. */
     void whenCoarse(Runnable task) {
         coarseTask = task;
     }
 
-    /** Sets what counts the rows, and how many pixels one has; before rendering. */
+    /** Sets the counter of rows, and how many pixels a row has. Call before rendering. */
     void count(Progress rows, int pixels) {
         counter = rows;
         width = pixels;
@@ -41,7 +41,7 @@ final class Pieces implements PassListener {
         for (int i = 0; i < packed.length; i++) {
             packed[i] = 0xFF000000 | (levels[3 * i] & LEVEL) << 16 | (levels[3 * i + 1] & LEVEL) << 8 | levels[3 * i + 2] & LEVEL;
         }
-        queue.add(new Piece(new Canvas.Strip(run.y(), run.x(), run.step(), run.size(), packed), -1));
+        queue.add(new Entry(run, packed, -1));
         if (!run.preview()) {
             counter.worked(run.count() / width);
         }
@@ -55,8 +55,8 @@ final class Pieces implements PassListener {
 
     @Override
     public void rowFailed(int y, Throwable fault) {
-        faults.add(y, fault);
-        queue.add(new Piece(null, y));
+        failed.add(y, fault);
+        queue.add(new Entry(null, null, y));
     }
 
     @Override
@@ -65,33 +65,33 @@ final class Pieces implements PassListener {
     }
 
     /** {@return the rows that could not be rendered} */
-    Faults faults() {
-        return faults;
+    FailedRows failedRows() {
+        return failed;
     }
 
-    /** {@return whether all of what is rendered is there in coarse blocks} */
+    /** {@return whether the whole picture, or the region that is rendered alone, is there in coarse blocks} */
     boolean isCoarse() {
         return coarse;
     }
 
     /**
-     * Paints what was added, until a time comes.
+     * Paints the runs of the queue, until it is empty or a time comes.
      *
-     * @param shown where to
+     * @param shown the image to paint on
      * @param end the time, in nanoseconds of {@link System#nanoTime}
-     * @return where something has changed; empty for nowhere
+     * @return the rectangle that has changed; empty for none
      */
-    Rectangle paint(Canvas shown, long end) {
+    Rectangle paint(ProgressiveImage shown, long end) {
         Rectangle changed = new Rectangle(0, 0, -1, -1);      // none: an empty one at 0, 0 would stay part of any sum
         while (System.nanoTime() - end < 0) {
-            Piece piece = queue.poll();
-            if (piece == null) {
+            Entry entry = queue.poll();
+            if (entry == null) {
                 break;
             }
-            if (piece.strip() == null) {
-                shown.hatch(piece.failedRow(), changed);
+            if (entry.run() == null) {
+                shown.hatch(entry.failedRow(), changed);
             } else {
-                shown.paint(piece.strip(), changed);
+                shown.paint(entry.run(), entry.rgb(), changed);
             }
         }
         return changed;

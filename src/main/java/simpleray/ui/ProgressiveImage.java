@@ -4,14 +4,15 @@ import java.awt.Rectangle;
 import java.awt.image.BufferedImage;
 import java.awt.image.DataBufferInt;
 import java.util.Arrays;
+import simpleray.render.PixelRun;
 import simpleray.render.Region;
 
 /**
- * What a window shows of a picture while it is rendered: blocks that become smaller. Of each pixel it knows how coarse the block is that it
- * belongs to, and a coarse block never hides a finer one, in whatever order they come. <em>Mutable</em>; the event thread's own, but for
- * its making.
+ * The image that a window shows while a picture is rendered: blocks that become smaller. It knows for each pixel how coarse its block is,
+ * and a coarse block never hides a finer one, in whatever order they come. <em>Mutable</em>; any thread may make one, the event thread
+ * alone uses it.
  */
-final class Canvas {
+final class ProgressiveImage {
     private static final byte NOTHING = Byte.MAX_VALUE;
     private static final byte FAILED = 0;
     private static final int HATCH = 6;                       // pixels from line to line
@@ -24,11 +25,7 @@ final class Canvas {
     private final int width;
     private final int height;
 
-    /** Pixels of a row as a screen shows them: x, x + step and so on, each the upper left corner of a block. */
-    record Strip(int y, int x, int step, int size, int[] rgb) {
-    }
-
-    Canvas(int width, int height) {
+    ProgressiveImage(int width, int height) {
         this.width = width;
         this.height = height;
         image = new BufferedImage(width, height, BufferedImage.TYPE_INT_ARGB);
@@ -45,39 +42,39 @@ final class Canvas {
         return width == otherWidth && height == otherHeight;
     }
 
-    /** Lets any block, however coarse, come over what is there of a region. */
+    /** Lets any block, however coarse, come over the pixels of a region. */
     void reopen(Region region) {
         for (int y = region.y(); y < region.bottom(); y++) {
             Arrays.fill(sizes, y * width + region.x(), y * width + region.right(), NOTHING);
         }
     }
 
-    /** Paints blocks, and adds where to what has changed. */
-    void paint(Strip strip, Rectangle changed) {
-        int bottom = Math.min(height, strip.y + strip.size);
+    /** Paints the blocks of a run, each in its colour, and adds their place to the rectangle that has changed. */
+    void paint(PixelRun run, int[] rgb, Rectangle changed) {
+        int bottom = Math.min(height, run.y() + run.size());
         int right = width;
-        for (int y = strip.y; y < bottom; y++) {
+        for (int y = run.y(); y < bottom; y++) {
             int row = y * width;
-            int x = strip.x;
-            for (int colour : strip.rgb) {
-                right = Math.min(width, x + strip.size);
+            int x = run.x();
+            for (int colour : rgb) {
+                right = Math.min(width, x + run.size());
                 for (int i = row + x; i < row + right; i++) {
-                    if (sizes[i] >= strip.size) {
+                    if (sizes[i] >= run.size()) {
                         pixels[i] = colour;
-                        sizes[i] = (byte) strip.size;
+                        sizes[i] = (byte) run.size();
                     }
                 }
-                if (y == strip.y && sizes[row + x] != FAILED) {   // the block's corner is the pixel that was traced
+                if (y == run.y() && sizes[row + x] != FAILED) {   // the block's corner is the pixel that was traced
                     pixels[row + x] = colour;
                     sizes[row + x] = 1;
                 }
-                x += strip.step;
+                x += run.step();
             }
         }
-        changed.add(new Rectangle(strip.x, strip.y, right - strip.x, bottom - strip.y));
+        changed.add(new Rectangle(run.x(), run.y(), right - run.x(), bottom - run.y()));
     }
 
-    /** Marks a row that could not be rendered. */
+    /** Hatches a row that could not be rendered. */
     void hatch(int y, Rectangle changed) {
         for (int x = 0; x < width; x++) {
             pixels[y * width + x] = (x + y) % HATCH < HATCH / 3 ? RED : DARK;

@@ -10,13 +10,15 @@ import simpleray.math.Ray;
 import simpleray.scene.SceneFile;
 
 /** A program that fails at some rows: it says so, marks them, and shows the others. */
-class FaultsTest {
+class FailedRowsTest {
     private static final int SIDE = 100;
     private OpenWindow window;
 
     @AfterEach
     void close() {
-        window.close();
+        if (window != null) {
+            window.close();
+        }
     }
 
     @Test
@@ -27,7 +29,7 @@ class FaultsTest {
                 throw new IllegalStateException("a fault of this object");
             }
         }), SIDE, SIDE);
-        window.untilState(Rendering.State.FAILED);
+        window.untilState(RenderJob.State.FAILED);
 
         assertThat(window.problems().getText()).isEqualTo("rows 12 to 14 were not rendered: java.lang.IllegalStateException: a fault of "
             + "this object\nrow 40 was not rendered: java.lang.IllegalStateException: a fault of this object");
@@ -48,7 +50,7 @@ class FaultsTest {
         window = new OpenWindow(TestScenes.watched(TestScenes.THESIS, ray -> {
             throw new StackOverflowError();
         }), SIDE, SIDE);
-        window.untilState(Rendering.State.FAILED);
+        window.untilState(RenderJob.State.FAILED);
 
         assertThat(window.problems().getText()).isEqualTo("rows 0 to 99 were not rendered: StackOverflowError");
         Screen.until("all is hatched", () -> {
@@ -70,7 +72,7 @@ class FaultsTest {
                 throw new OutOfMemoryError("made up");
             }
         }, SIDE, SIDE);
-        window.untilState(Rendering.State.FAILED);
+        window.untilState(RenderJob.State.FAILED);
 
         assertThat(window.problems().getText()).isEqualTo("the scene or the picture is too large for the memory: make it "
             + "smaller, or give java more by -Xmx");
@@ -84,13 +86,13 @@ class FaultsTest {
                 throw new IllegalStateException("a fault of this object");
             }
         }), SIDE, SIDE);
-        window.untilState(Rendering.State.FAILED);
+        window.untilState(RenderJob.State.FAILED);
         OpenWindow.run(() -> {
             faulty[0] = false;
             window.picture().restart();
         });
 
-        window.untilState(Rendering.State.FINISHED);
+        window.untilState(RenderJob.State.FINISHED);
         Screen.until("the pane is gone", () -> window.problems() == null);
         window.untilShown("the picture", TestScenes.rendered(TestScenes.THESIS, SIDE, SIDE));
     }
@@ -108,5 +110,19 @@ class FaultsTest {
     private static int row(Ray ray) {
         boolean fromTheEye = ray.origin.x == 0 && ray.origin.y == 0 && ray.origin.z == 2;
         return fromTheEye ? (int) ((ray.direction.y / ray.direction.z + 1) / 2 * SIDE) : -1;
+    }
+
+    @Test
+    void rowsWithTheSameFaultShareALine() {
+        FailedRows rows = new FailedRows();
+        assertThat(rows.isEmpty()).isTrue();
+        assertThat(rows.text()).isEmpty();
+        for (int y = 0; y < 50; y++) {
+            rows.add(2 * y, new IllegalStateException("even"));
+        }
+        rows.add(1, new IllegalStateException("odd"));
+
+        assertThat(rows.text().lines()).hasSize(21).startsWith("row 0 was not rendered: java.lang.IllegalStateException: even",
+            "row 1 was not rendered: java.lang.IllegalStateException: odd").endsWith("and 31 more such pieces");
     }
 }

@@ -12,7 +12,7 @@ import simpleray.math.Ray;
 import simpleray.render.Stage;
 
 /** Cancelling a rendering while a finished picture is shown. */
-class RenderingCancelTest {
+class RenderJobCancelTest {
     private static final int SIDE = 100;
 
     private final AtomicReference<Consumer<Ray>> hurdle = new AtomicReference<>(ray -> { });
@@ -23,7 +23,7 @@ class RenderingCancelTest {
     @BeforeEach
     void finishThePicture() {
         window = new OpenWindow(TestScenes.watched(TestScenes.THESIS, ray -> hurdle.get().accept(ray)), SIDE, SIDE);
-        window.untilState(Rendering.State.FINISHED);
+        window.untilState(RenderJob.State.FINISHED);
     }
 
     @AfterEach
@@ -37,11 +37,11 @@ class RenderingCancelTest {
     void beforeTheFirstRowThePictureStaysAndCanBeSaved() {
         hurdle.set(all);
         window.screen.press(KeyEvent.VK_2);
-        Screen.until("it renders", () -> window.rendering().state() == Rendering.State.RENDERING);
+        Screen.until("it renders", () -> window.job().state() == RenderJob.State.RENDERING);
         window.screen.press(KeyEvent.VK_ESCAPE);
         all.open();
 
-        window.untilState(Rendering.State.CANCELLED);
+        window.untilState(RenderJob.State.CANCELLED);
         assertThat(window.status()).startsWith("Cancelled: 0 of 100 rows");
         window.untilShown("the picture before", TestScenes.rendered(TestScenes.THESIS, SIDE, SIDE));
         assertThat(window.canDo("Save Picture As…")).isTrue();
@@ -55,7 +55,7 @@ class RenderingCancelTest {
         window.screen.press(KeyEvent.VK_ESCAPE);
         half.open();
 
-        window.untilState(Rendering.State.CANCELLED);
+        window.untilState(RenderJob.State.CANCELLED);
         assertThat(window.status()).startsWith("Cancelled: 50 of 100 rows");
         assertThat(window.canDo("Save Picture As…")).isFalse();
     }

@@ -7,7 +7,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
 /** A rendering that is held for a while. */
-class RenderingPauseTest {
+class RenderJobPauseTest {
     private static final int SIDE = 100;
 
     private final TestScenes.Gate gate = new TestScenes.Gate(0, SIDE);
@@ -23,14 +23,14 @@ class RenderingPauseTest {
     void spaceHoldsTheRenderingAndLetsItGoOn() {
         pauseHalfWay();
         gate.open();
-        Screen.until("its threads wait", RenderingPauseTest::workersWait);
+        Screen.until("its threads wait", RenderJobPauseTest::workersWait);
 
         Screen.until("the status bar says so", () -> window.status().matches("Paused: 50 of 100 rows, [\\d.:]+ (s|min)"));
         assertThat(OpenWindow.ask(window.item("Pause")::isSelected)).isTrue();
-        assertThat(window.rendering().progress().finished()).isEqualTo(50);
+        assertThat(window.job().progress().finished()).isEqualTo(50);
 
         window.screen.press(KeyEvent.VK_SPACE);
-        window.untilState(Rendering.State.FINISHED);
+        window.untilState(RenderJob.State.FINISHED);
         window.untilShown("the picture", TestScenes.rendered(TestScenes.THESIS, SIDE, SIDE));
         assertThat(OpenWindow.ask(window.item("Pause")::isSelected)).isFalse();
         assertThat(window.canDo("Pause")).isFalse();
@@ -39,10 +39,10 @@ class RenderingPauseTest {
     @Test
     void theTimeShownStandsMeanwhile() {
         pauseHalfWay();
-        double then = window.rendering().seconds();
+        double then = window.job().seconds();
         Screen.until("the kicker came by", () -> true);
 
-        assertThat(window.rendering().seconds()).isEqualTo(then);
+        assertThat(window.job().seconds()).isEqualTo(then);
     }
 
     @Test
@@ -51,7 +51,7 @@ class RenderingPauseTest {
         gate.open();
         window.screen.press(KeyEvent.VK_ESCAPE);
 
-        window.untilState(Rendering.State.CANCELLED);
+        window.untilState(RenderJob.State.CANCELLED);
         assertThat(window.status()).startsWith("Cancelled: 50 of 100 rows");
         Screen.until("all threads end", () -> OpenWindow.threads().isEmpty());
     }
@@ -62,13 +62,13 @@ class RenderingPauseTest {
         gate.open();
         window.screen.press(KeyEvent.VK_F5);
 
-        window.untilState(Rendering.State.FINISHED);
+        window.untilState(RenderJob.State.FINISHED);
         assertThat(OpenWindow.ask(() -> window.picture().isPaused())).isFalse();
     }
 
     private void pauseHalfWay() {
         Screen.until("the upper half is finished",
-            () -> window.picture().rendering().progress() != null && window.picture().rendering().progress().finished() == SIDE / 2);
+            () -> window.picture().job().progress() != null && window.picture().job().progress().finished() == SIDE / 2);
         window.screen.press(KeyEvent.VK_SPACE);
         Screen.until("it is paused", () -> window.picture().isPaused() && window.status().startsWith("Paused"));
     }

@@ -21,16 +21,16 @@ import simpleray.text.Diagnostic;
  * One rendering for a window, on a thread of its own: reads the scene or takes the one that was read before, renders it, and leaves
  * finished pieces in a queue. The window polls; nothing here waits for it.
  */
-final class Rendering {
+final class RenderJob {
     private static final long PATIENCE = 1000;                // milliseconds
 
     private final SceneSource source;
     private final RenderRequest request;
-    private Rendering before;                                 // whose scene is rendered again; null if it is to be read
+    private RenderJob before;                                 // whose scene is rendered again; null if it is to be read
     private final SceneReport known;                             // to be shown beside it in place of those of the scene; none for these
     private volatile Region region;                           // what comes first; null for nothing
     private volatile boolean alone;
-    private final Pieces pieces = new Pieces();
+    private final PixelRunQueue runs = new PixelRunQueue();
     private final Thread thread;
 
     private volatile State state;
@@ -41,7 +41,7 @@ final class Rendering {
     private volatile Renderer renderer;
     private volatile SceneSettings settings;
     private volatile Progress progress;
-    private volatile Canvas canvas;
+    private volatile ProgressiveImage image;
     private volatile long begun;
     private volatile double seconds;
     private volatile boolean cancelled;
@@ -66,7 +66,7 @@ final class Rendering {
     }
 
     /** Reads a scene and renders it. */
-    Rendering(SceneSource source, RenderRequest request, Region region, boolean alone) {
+    RenderJob(SceneSource source, RenderRequest request, Region region, boolean alone) {
         this(source, request, null, SceneReport.NONE, region, alone);
     }
 
@@ -76,11 +76,11 @@ final class Rendering {
      * @param before the other; it {@linkplain #hasScene has its scene}
      * @param known what is wrong with a scene that was to be read since, and is to be shown all the same; nothing for the other's own
      */
-    Rendering(Rendering before, SceneReport known, RenderRequest request, Region region, boolean alone) {
+    RenderJob(RenderJob before, SceneReport known, RenderRequest request, Region region, boolean alone) {
         this(before.source, request, before, known, region, alone);
     }
 
-    private Rendering(SceneSource source, RenderRequest request, Rendering before, SceneReport known, Region region, boolean alone) {
+    private RenderJob(SceneSource source, RenderRequest request, RenderJob before, SceneReport known, Region region, boolean alone) {
         this.source = source;
         this.request = request;
         this.before = before;
@@ -94,7 +94,7 @@ final class Rendering {
 
     /** Sets what is done once the picture is there in coarse blocks, on some thread; before the start. */
     void whenCoarse(Runnable task) {
-        pieces.whenCoarse(task);
+        runs.whenCoarse(task);
     }
 
     void start() {
@@ -173,23 +173,23 @@ final class Rendering {
     /** Lets go of all but the scene, after it was cancelled. */
     void forget() {
         renderer = null;
-        canvas = null;
-        pieces.clear();
+        image = null;
+        runs.clear();
     }
 
     /** {@return what is finished and not yet painted} */
-    Pieces pieces() {
-        return pieces;
+    PixelRunQueue runs() {
+        return runs;
     }
 
-    /** {@return a blank canvas of the picture's size; null before rendering has begun} */
-    Canvas canvas() {
-        return canvas;
+    /** {@return a blank image of the picture's size; null before rendering has begun} */
+    ProgressiveImage image() {
+        return image;
     }
 
     /** {@return whether all of what is rendered is there in coarse blocks} */
     boolean isCoarse() {
-        return pieces.isCoarse();
+        return runs.isCoarse();
     }
 
     /** {@return the nanoseconds since rendering began; negative before} */
@@ -267,7 +267,7 @@ final class Rendering {
 
     /** Reads the scene; or takes that of the rendering before, when that has let go of it. */
     private PreparedScene prepared() throws IOException {
-        Rendering last = before;
+        RenderJob last = before;
         before = null;                                        // else each would keep all before it
         if (last == null) {
             SceneFile file = source.read();
@@ -298,7 +298,7 @@ final class Rendering {
             alone = false;
         }
         Progress counter = new Progress(alone ? region.height() : picture.height(), System.nanoTime());
-        canvas = new Canvas(picture.width(), picture.height());
+        image = new ProgressiveImage(picture.width(), picture.height());
         synchronized (this) {
             progress = counter;
             renderer = current;
@@ -310,9 +310,9 @@ final class Rendering {
         }
         begun = System.nanoTime();
         state = State.RENDERING;
-        pieces.count(counter, alone ? region.width() : picture.width());
-        current.renderPasses(pieces, region, alone);
-        failure = pieces.faults().text();
-        return pieces.faults().isEmpty() ? State.FINISHED : State.FAILED;
+        runs.count(counter, alone ? region.width() : picture.width());
+        current.renderPasses(runs, region, alone);
+        failure = runs.failedRows().text();
+        return runs.failedRows().isEmpty() ? State.FINISHED : State.FAILED;
     }
 }

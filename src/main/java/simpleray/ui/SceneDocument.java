@@ -13,7 +13,7 @@ import simpleray.text.Diagnostic;
  * The text of the window's scene between its file and the editor: reads it, renders it, writes it, and sees to it that nothing is lost
  * where the two differ. For the event thread, but for await.
  */
-final class EditedScene {
+final class SceneDocument {
     private static final String CONFLICT = "conflict";
     private static final String TEXT = "text";
 
@@ -29,7 +29,7 @@ final class EditedScene {
     private SceneSource own;                                  // of the text that was rendered without saving it
     private String ownText;
 
-    EditedScene(ViewerFrame frame) {
+    SceneDocument(ViewerFrame frame) {
         this.frame = frame;
     }
 
@@ -112,7 +112,7 @@ final class EditedScene {
                 editor.area().setEnabled(true);
                 refresh();
             }
-            markProblems(frame.picture().rendering());
+            markProblems(frame.picture().job());
             then.run();
         });
     }
@@ -149,7 +149,7 @@ final class EditedScene {
                 take(answer);
                 editor.area().replaceAll(saved.text());
                 refresh();
-                markProblems(frame.picture().rendering());
+                markProblems(frame.picture().job());
             }
         });
     }
@@ -295,13 +295,13 @@ final class EditedScene {
     }
 
     /** Marks what a rendering found wrong, if its text is the one in the editor. */
-    void markProblems(Rendering rendering) {
-        if (saved == null || rendering == null || rendering.state() == Rendering.State.READING) {
+    void markProblems(RenderJob job) {
+        if (saved == null || job == null || job.state() == RenderJob.State.READING) {
             return;
         }
-        if (rendering.source() == own ? editor.holds(ownText) : rendering.source() == source && !changed) {
+        if (job.source() == own ? editor.holds(ownText) : job.source() == source && !changed) {
             String name = source.name();
-            editor.mark(rendering.places().stream().filter(problem -> problem.file().equals(name)).collect(Collectors.toList()));
+            editor.mark(job.places().stream().filter(problem -> problem.file().equals(name)).collect(Collectors.toList()));
         }
     }
 

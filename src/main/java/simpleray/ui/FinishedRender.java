@@ -15,7 +15,7 @@ import simpleray.render.RenderRequest;
  * A picture that was finished, what was asked for, and when. <em>Constant</em>, but that the machine takes the pixels back when the memory
  * is short.
  */
-final class Finished {
+final class FinishedRender {
     private static final DateTimeFormatter CLOCK = DateTimeFormatter.ofPattern("HH:mm:ss");
     private static final int LEVEL = 0xFF;
 
@@ -29,7 +29,7 @@ final class Finished {
     private SoftReference<BufferedImage> marks = new SoftReference<>(null);
 
     /** Looks at every pixel of a picture, all rows of which are set; not for the event thread. */
-    Finished(Picture picture, SceneSource source, RenderRequest request, double seconds, LocalTime time) {
+    FinishedRender(Picture picture, SceneSource source, RenderRequest request, double seconds, LocalTime time) {
         this.source = source;
         this.request = request;
         width = picture.width();
