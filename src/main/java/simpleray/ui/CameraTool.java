@@ -130,30 +130,31 @@ final class CameraTool extends MouseAdapter {
     /** {@return settings that say where the camera is; null while no scene is read} */
     SceneSettings view() {
         if (orbit == null) {
-            return shown() == null ? null : shown().settings();
+            RenderJob.Snapshot now = shown();
+            return now == null ? null : now.settings();
         }
         SceneSettings view = new SceneSettings();
         view.camera = orbit.pose();
         return view;
     }
 
-    /** {@return the rendering, if it has read a scene; else null} */
-    private RenderJob shown() {
-        RenderJob job = picture.job();
-        return job == null || picture.source() == SceneSource.NONE || job.settings() == null ? null : job;
+    /** {@return how far the rendering is, if it has read a scene; else null} */
+    private RenderJob.Snapshot shown() {
+        RenderJob.Snapshot now = picture.job() == null ? null : picture.job().snapshot();
+        return now == null || picture.source() == SceneSource.NONE || now.settings() == null ? null : now;
     }
 
     private void move(UnaryOperator<Orbit> how) {
-        RenderJob job = shown();
+        RenderJob.Snapshot now = shown();
         if (orbit == null) {
-            if (job == null) {
+            if (now == null) {
                 return;
             }
-            orbit = Orbit.of(FreeView.of(job.settings()));
-            aimed = job.settings().camera != null;            // such a camera says itself what it looks at
+            orbit = Orbit.of(FreeView.of(now.settings()));
+            aimed = now.settings().camera != null;            // such a camera says itself what it looks at
         }
-        if (!aimed && job != null) {
-            orbit = orbit.aimed(job.scene());
+        if (!aimed && now != null) {
+            orbit = orbit.aimed(now.scene());
             aimed = true;
         }
         orbit = how.apply(orbit);

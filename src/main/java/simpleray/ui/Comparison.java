@@ -84,7 +84,7 @@ final class Comparison {
         latest = null;
         shown.setMarks(null);
         if (whole != null && FinishedRender.canKeep(whole)) {
-            look(whole, shown.source(), shown.job().request(), shown.job().seconds());
+            look(whole, shown.source(), shown.job().request(), shown.job().snapshot().seconds());
         }
     }
 

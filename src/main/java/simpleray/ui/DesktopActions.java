@@ -99,12 +99,13 @@ final class DesktopActions {
         SimpleRay shown = frame.picture();
         Picture whole = shown.whole();
         RenderJob job = shown.job();
+        RenderJob.Snapshot now = job == null ? null : job.snapshot();
         if (whole != null) {
             if (made == null || made.picture != whole) {
                 made = new Made(whole, shown.source(), job.request());
             }
-        } else if (job != null && job.isAlone() && job.state() == RenderJob.State.FINISHED && !shown.isBusy()) {
-            made = new Made(null, shown.source(), job.request().with(job.region()));
+        } else if (now != null && now.isAlone() && now.state() == RenderJob.State.FINISHED && !shown.isBusy()) {
+            made = new Made(null, shown.source(), job.request().with(now.region()));
         } else {
             made = null;
         }

@@ -109,7 +109,7 @@ final class Inspector {
 
     /** Takes notice of a rendering: from its first row on, it is the one that is shown. */
     void update(RenderJob job) {
-        Progress progress = job.progress();
+        Progress progress = job.snapshot().progress();
         boolean over = job.state().ended();
         if (job == shown && over != ended) {
             ended = over;
@@ -254,7 +254,7 @@ final class Inspector {
     /** Tells colours at once, and which object it is as soon as that is known. */
     @SuppressWarnings("FutureReturnValueIgnored")             // the task itself catches all
     private void tellLine(Point pixel) {
-        String colours = PixelLine.colours(shown.picture(), pixel);
+        String colours = PixelLine.colours(shown.snapshot().picture(), pixel);
         hoverLine.accept(colours == null ? " " : colours);
         if (colours == null || asking) {                      // the answer that is to come asks again if the mouse has moved
             return;
@@ -279,7 +279,7 @@ final class Inspector {
                 tellLine(wanted);
             }
         } else {
-            String colours = PixelLine.colours(shown.picture(), pixel);
+            String colours = PixelLine.colours(shown.snapshot().picture(), pixel);
             hoverLine.accept(colours == null ? " " : colours + "   " + (thing == null ? "background" : StoryText.object(thing)));
         }
     }
@@ -338,7 +338,7 @@ final class Inspector {
 
     private Explainer explainer(RenderJob job) {
         if (explained != job) {
-            Explainer made = job.explainer();
+            Explainer made = job.snapshot().explainer();
             if (made == null) {
                 throw new CancellationException("the next rendering has begun");
             }

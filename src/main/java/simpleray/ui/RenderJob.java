@@ -1,8 +1,8 @@
 package simpleray.ui;
 
 import java.io.IOException;
-import java.util.List;
 import java.util.concurrent.CancellationException;
+import java.util.concurrent.atomic.AtomicReference;
 import simpleray.image.Picture;
 import simpleray.render.Explainer;
 import simpleray.render.OutOfMemory;
@@ -15,11 +15,10 @@ import simpleray.render.Renderer;
 import simpleray.scene.Scene;
 import simpleray.scene.SceneFile;
 import simpleray.scene.SceneSettings;
-import simpleray.text.Diagnostic;
 
 /**
  * One rendering for a window, on a thread of its own: reads the scene or takes the one that was read before, renders it, and leaves
- * finished pieces in a queue. The window polls; nothing here waits for it.
+ * finished pixel runs in a queue. The window polls {@link #snapshot}; nothing here waits for it. Any thread may call.
  */
 final class RenderJob {
     private static final long PATIENCE = 1000;                // milliseconds
@@ -27,23 +26,13 @@ final class RenderJob {
     private final SceneSource source;
     private final RenderRequest request;
     private RenderJob before;                                 // whose scene is rendered again; null if it is to be read
-    private final SceneReport known;                             // to be shown beside it in place of those of the scene; none for these
-    private volatile Region region;                           // what comes first; null for nothing
-    private volatile boolean alone;
+    private final SceneReport known;                          // to be shown in place of the findings about that scene; none for these
+    private final Region region;                              // what is asked to come first; null for nothing
+    private final boolean alone;
     private final PixelRunQueue runs = new PixelRunQueue();
     private final Thread thread;
 
-    private volatile State state;
-    private volatile SceneReport findings = SceneReport.NONE;       // about the scene
-    private volatile String failure = "";                     // what was not rendered
-    private volatile PreparedScene scene;
-    private volatile SceneFile file;                          // that of the scene
-    private volatile Renderer renderer;
-    private volatile SceneSettings settings;
-    private volatile Progress progress;
-    private volatile ProgressiveImage image;
-    private volatile long begun;
-    private volatile double seconds;
+    private final AtomicReference<Snapshot> latest;
     private volatile boolean cancelled;
     private boolean paused;
 
@@ -57,11 +46,92 @@ final class RenderJob {
         FINISHED,
         /** It was cancelled before it was whole. */
         CANCELLED,
-        /** The scene could not be read, or the program failed; {@link #problems} says how. */
+        /** The scene could not be read, or the program failed; {@link Snapshot#problems} says how. */
         FAILED;
 
         boolean ended() {
             return this == FINISHED || this == CANCELLED || this == FAILED;
+        }
+    }
+
+    /** A scene that was read, and what is made of it before its first ray. */
+    private record LoadedScene(SceneFile file, PreparedScene prepared) {
+    }
+
+    /** What renders the scene, since when, and what it was asked for; renderer and image are null once they are let go. */
+    private record Run(Renderer renderer, ProgressiveImage image, Progress progress, SceneSettings settings, Region region, boolean alone,
+                       long begun) {
+    }
+
+    /**
+     * All that is known about a rendering at one moment. <em>Constant.</em>
+     *
+     * @param state how far it is
+     * @param loaded the scene; null until it is read
+     * @param run what renders it; null before rendering has begun
+     * @param findings errors, or warnings once the scene was read
+     * @param failure what was not rendered; empty for nothing
+     * @param took the seconds that rendering took; 0 before it has ended
+     */
+    record Snapshot(State state, LoadedScene loaded, Run run, SceneReport findings, String failure, double took) {
+        /** {@return whether the scene is there, so that it can be rendered again} */
+        boolean hasScene() {
+            return loaded != null;
+        }
+
+        /** {@return the scene, not to be changed; null until it is read} */
+        Scene scene() {
+            return loaded == null ? null : loaded.file.scene();
+        }
+
+        /** {@return the settings that the picture is made with, of the scene and of what was asked for; null before rendering has begun} */
+        SceneSettings settings() {
+            return run == null ? null : run.settings;
+        }
+
+        /** {@return errors, or warnings once the scene was read; in the end also what was not rendered; empty for none} */
+        String problems() {
+            String scene = findings.text();
+            return failure.isEmpty() ? scene : scene.isEmpty() ? failure : failure + "\n" + scene;
+        }
+
+        /** {@return a blank image of the picture's size; null before rendering has begun} */
+        ProgressiveImage image() {
+            return run == null ? null : run.image;
+        }
+
+        /** {@return the picture; rows are set as they are finished; null before rendering has begun} */
+        Picture picture() {
+            return run == null || run.renderer == null ? null : run.renderer.picture();
+        }
+
+        /** {@return what explains the picture's pixels; null before rendering has begun} It may have to be made: not for the event thread. */
+        Explainer explainer() {
+            return run == null || run.renderer == null ? null : run.renderer.explainer();
+        }
+
+        /** {@return the progress; null before rendering has begun} */
+        Progress progress() {
+            return run == null ? null : run.progress;
+        }
+
+        /** {@return the region that comes first, or alone; null for none} */
+        Region region() {
+            return run == null ? null : run.region;
+        }
+
+        boolean isAlone() {
+            return run != null && run.alone;
+        }
+
+        /** {@return the nanoseconds since rendering began; negative before} */
+        long age(long now) {
+            return run == null ? -1 : now - run.begun;
+        }
+
+        /** {@return how many seconds rendering took so far, or in all, without pauses} */
+        double seconds() {
+            return run == null || state.ended() ? took : run.progress.elapsed(System.nanoTime());
         }
     }
 
@@ -73,7 +143,7 @@ final class RenderJob {
     /**
      * Renders a scene that another rendering has read, once that has ended.
      *
-     * @param before the other; it {@linkplain #hasScene has its scene}
+     * @param before the other; it {@linkplain Snapshot#hasScene has its scene}
      * @param known what is wrong with a scene that was to be read since, and is to be shown all the same; nothing for the other's own
      */
     RenderJob(RenderJob before, SceneReport known, RenderRequest request, Region region, boolean alone) {
@@ -86,8 +156,9 @@ final class RenderJob {
         this.before = before;
         this.known = known;
         this.region = region;
-        this.alone = alone && region != null;
-        state = before == null ? State.READING : State.RENDERING;
+        this.alone = alone;
+        State first = before == null ? State.READING : State.RENDERING;
+        latest = new AtomicReference<>(new Snapshot(first, null, null, SceneReport.NONE, "", 0));
         thread = new Thread(this::work, "simpleray-rendering");
         thread.setDaemon(true);
     }
@@ -103,26 +174,31 @@ final class RenderJob {
 
     void cancel() {
         cancelled = true;
-        Renderer current = renderer;
-        if (current != null) {
-            current.cancel();
+        Run run = snapshot().run;
+        if (run != null && run.renderer != null) {
+            run.renderer.cancel();
         }
     }
 
     /** Holds the rendering, or lets it go on; its clock stands meanwhile. */
     synchronized void setPaused(boolean hold) {
-        if (state.ended()) {
+        Snapshot now = snapshot();
+        if (now.state.ended()) {
             return;
         }
         paused = hold;
-        if (renderer != null) {
-            progress.pause(hold, System.nanoTime());
-            renderer.setPaused(hold);
+        if (now.run != null && now.run.renderer != null) {
+            pause(now.run);
         }
     }
 
+    private void pause(Run run) {
+        run.progress.pause(paused, System.nanoTime());
+        run.renderer.setPaused(paused);
+    }
+
     synchronized boolean isPaused() {
-        return paused && !state.ended();
+        return paused && !state().ended();
     }
 
     /**
@@ -131,13 +207,9 @@ final class RenderJob {
      */
     void await() throws InterruptedException {
         thread.join(PATIENCE);
-        if (state != State.READING) {
+        if (state() != State.READING) {
             thread.join();
         }
-    }
-
-    State state() {
-        return state;
     }
 
     RenderRequest request() {
@@ -148,171 +220,91 @@ final class RenderJob {
         return source;
     }
 
-    /** {@return whether the scene is there, so that it can be rendered again} */
-    boolean hasScene() {
-        return scene != null;
-    }
-
-    /** {@return errors, or warnings once the scene was read; in the end also what was not rendered; empty for none} */
-    String problems() {
-        String now = failure;
-        String scene = findings.text();
-        return now.isEmpty() ? scene : scene.isEmpty() ? now : now + "\n" + scene;
-    }
-
-    /** {@return the errors or warnings that have a place; each stands as it is in {@link #problems}} */
-    List<Diagnostic> places() {
-        return findings.places();
-    }
-
-    /** {@return what is wrong with the scene: errors, or warnings once it was read} */
-    SceneReport findings() {
-        return findings;
-    }
-
-    /** Lets go of all but the scene, after it was cancelled. */
-    void forget() {
-        renderer = null;
-        image = null;
-        runs.clear();
-    }
-
-    /** {@return what is finished and not yet painted} */
+    /** {@return the pixel runs that are finished and not yet painted} */
     PixelRunQueue runs() {
         return runs;
     }
 
-    /** {@return a blank image of the picture's size; null before rendering has begun} */
-    ProgressiveImage image() {
-        return image;
+    /** {@return all that is known now} Who asks twice may get two answers: ask once for what belongs together. */
+    Snapshot snapshot() {
+        return latest.get();
     }
 
-    /** {@return whether all of what is rendered is there in coarse blocks} */
-    boolean isCoarse() {
-        return runs.isCoarse();
+    /** {@return how far it is now} */
+    State state() {
+        return snapshot().state;
     }
 
-    /** {@return the nanoseconds since rendering began; negative before} */
-    long age(long now) {
-        return begun == 0 ? -1 : now - begun;
-    }
-
-    /** {@return what comes first, or alone; null for nothing} */
-    Region region() {
-        return region;
-    }
-
-    boolean isAlone() {
-        return alone;
-    }
-
-    /** {@return the picture; rows are set as they are finished; null before it is begun} */
-    Picture picture() {
-        Renderer current = renderer;
-        return current == null ? null : current.picture();
-    }
-
-    /** {@return the scene, not to be changed; null until it is read} */
-    Scene scene() {
-        SceneFile current = file;
-        return current == null ? null : current.scene();
-    }
-
-    /** {@return the settings that the picture is made with, of the scene and of what was asked for; null until the scene is read} */
-    SceneSettings settings() {
-        return settings;
-    }
-
-    /** {@return what tells about the picture's pixels; null before it is begun} Not for the event thread: it may have to be made. */
-    Explainer explainer() {
-        Renderer current = renderer;
-        return current == null ? null : current.explainer();
-    }
-
-    /** {@return the progress; null before rendering has begun} */
-    Progress progress() {
-        return progress;
-    }
-
-    /** {@return how many seconds rendering took so far, or in all, without pauses} */
-    double seconds() {
-        Progress current = progress;
-        return current == null || state.ended() ? seconds : current.elapsed(System.nanoTime());
+    /** Lets go of all but the scene, after it was cancelled. */
+    void forget() {
+        latest.updateAndGet(now -> new Snapshot(now.state, now.loaded, now.run == null ? null : new Run(null, null, now.run.progress,
+            now.run.settings, now.run.region, now.run.alone, now.run.begun), now.findings, now.failure, now.took));
+        runs.clear();
     }
 
     private void work() {
-        State end;
-        double took = Double.NaN;
+        boolean first = before == null;
         try {
-            boolean first = before == null;
-            end = render(prepared());
-            took = progress.elapsed(System.nanoTime());
-            if (first && end == State.FINISHED && !cancelled) {   // what is odd about a picture that is whole
-                findings = SceneReport.ofWhole(file, source.name());
-            }
+            LoadedScene loaded = load();
+            render(loaded);
+            double took = snapshot().seconds();
+            String failure = runs.failedRows().text();
+            SceneReport findings = first && failure.isEmpty() && !cancelled ? SceneReport.ofWhole(loaded.file, source.name())
+                : snapshot().findings;
+            end(failure.isEmpty() ? State.FINISHED : State.FAILED, findings, failure, took);
         } catch (CancellationException e) {
-            end = State.CANCELLED;
+            end(State.CANCELLED, snapshot().findings, "", snapshot().seconds());
         } catch (IOException e) {
-            findings = SceneReport.of(e, source.name());
-            end = State.FAILED;
+            end(State.FAILED, SceneReport.of(e, source.name()), "", snapshot().seconds());
         } catch (RuntimeException | Error e) {
-            failure = OutOfMemory.isBehind(e) ? OutOfMemory.MESSAGE
-                : "The program failed, which should not happen whatever the scene: " + e;
-            end = State.FAILED;
+            end(State.FAILED, snapshot().findings, OutOfMemory.isBehind(e) ? OutOfMemory.MESSAGE
+                : "The program failed, which should not happen whatever the scene: " + e, snapshot().seconds());
         }
-        Progress counted = progress;
-        seconds = counted == null ? 0 : Double.isNaN(took) ? counted.elapsed(System.nanoTime()) : took;
-        state = end;
+    }
+
+    private void end(State state, SceneReport findings, String failure, double took) {
+        latest.updateAndGet(now -> new Snapshot(state, now.loaded, now.run, findings, failure, took));
     }
 
     /** Reads the scene; or takes that of the rendering before, when that has let go of it. */
-    private PreparedScene prepared() throws IOException {
+    private LoadedScene load() throws IOException {
         RenderJob last = before;
         before = null;                                        // else each would keep all before it
         if (last == null) {
             SceneFile file = source.read();
-            this.file = file;
-            findings = SceneReport.of(file.warnings());
-            scene = new PreparedScene(file.scene());
-        } else {
-            last.cancel();
-            try {
-                last.thread.join();
-            } catch (InterruptedException e) {
-                throw new CancellationException("interrupted");
-            }
-            findings = known.isEmpty() ? last.findings : known;
-            scene = last.scene;
-            file = last.file;
+            LoadedScene loaded = new LoadedScene(file, new PreparedScene(file.scene()));
+            latest.set(new Snapshot(State.READING, loaded, null, SceneReport.of(file.warnings()), "", 0));
+            return loaded;
         }
-        return scene;
+        last.cancel();
+        try {
+            last.thread.join();
+        } catch (InterruptedException e) {
+            throw new CancellationException("interrupted");
+        }
+        Snapshot end = last.snapshot();
+        latest.set(new Snapshot(State.RENDERING, end.loaded, null, known.isEmpty() ? end.findings : known, "", 0));
+        return end.loaded;
     }
 
-    private State render(PreparedScene prepared) {
-        Renderer current = prepared.renderer(request);
-        Picture picture = current.picture();
-        picture.tell(Provenance.of(request, file));
-        settings = file.scene().settings;
-        if (region != null && !region.isWithin(picture.width(), picture.height())) {
-            region = null;                                    // that of a larger picture
-            alone = false;
-        }
-        Progress counter = new Progress(alone ? region.height() : picture.height(), System.nanoTime());
-        image = new ProgressiveImage(picture.width(), picture.height());
+    private void render(LoadedScene scene) {
+        Renderer renderer = scene.prepared.renderer(request);
+        Picture picture = renderer.picture();
+        picture.tell(Provenance.of(request, scene.file));
+        SceneSettings settings = scene.file.scene().settings;
+        Region part = region != null && region.isWithin(picture.width(), picture.height()) ? region : null;   // not that of a larger one
+        boolean only = alone && part != null;
+        Progress progress = new Progress(only ? part.height() : picture.height(), System.nanoTime());
+        Run run = new Run(renderer, new ProgressiveImage(picture.width(), picture.height()), progress, settings, part, only,
+            System.nanoTime());
         synchronized (this) {
-            progress = counter;
-            renderer = current;
-            counter.pause(paused, System.nanoTime());
-            current.setPaused(paused);
+            latest.updateAndGet(now -> new Snapshot(State.RENDERING, scene, run, now.findings, "", 0));
+            pause(run);
         }
         if (cancelled) {                                      // cancel() came before there was a renderer to tell
-            return State.CANCELLED;
+            throw new CancellationException("cancelled");
         }
-        begun = System.nanoTime();
-        state = State.RENDERING;
-        runs.count(counter, alone ? region.width() : picture.width());
-        current.renderPasses(runs, region, alone);
-        failure = runs.failedRows().text();
-        return runs.failedRows().isEmpty() ? State.FINISHED : State.FAILED;
+        runs.count(progress, only ? part.width() : picture.width());
+        renderer.renderPasses(runs, part, only);
     }
 }

@@ -5,7 +5,6 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
-import java.util.stream.Collectors;
 import javax.swing.Action;
 import simpleray.text.Diagnostic;
 
@@ -301,7 +300,7 @@ final class SceneDocument {
         }
         if (job.source() == own ? editor.holds(ownText) : job.source() == source && !changed) {
             String name = source.name();
-            editor.mark(job.places().stream().filter(problem -> problem.file().equals(name)).collect(Collectors.toList()));
+            editor.mark(job.snapshot().findings().places().stream().filter(problem -> problem.file().equals(name)).toList());
         }
     }
 

@@ -22,7 +22,7 @@ import simpleray.scene.SimpleCamera;
  */
 public final class SimpleRay extends ZoomedComponent implements Runnable {
     private static final long serialVersionUID = 1L;
-    private static final int KICK = 20;                       // milliseconds between two looks for finished pieces
+    private static final int KICK = 20;                       // milliseconds between two looks for finished runs
     private static final long MAX_WORK = 8_000_000;          // nanoseconds that one look may take
     /** Until the coarse picture is whole it waits so long before it shows a part of it, in nanoseconds: whole it comes without flicker. */
     private static final long HOLD = 120_000_000;
@@ -38,10 +38,10 @@ public final class SimpleRay extends ZoomedComponent implements Runnable {
     private transient RenderJob job;
     private transient RenderJob read;                         // the last one that has read the scene
     private transient boolean again;                          // another one is to follow as soon as this one is shown
-    private transient boolean kept;                           // what is shown stays until this one's pieces come over it
+    private transient boolean kept;                           // what is shown stays until this one's runs come over it
     private final transient RegionTool regions = new RegionTool(this);
     private transient Picture whole;                          // the picture that is shown, once all its rows are
-    private transient boolean shown;                          // a piece of this rendering is in the image
+    private transient boolean shown;                          // a run of this rendering is in the image
     private transient BufferedImage marks;                    // painted over the picture; null for none
     private transient Runnable listener = () -> { };
     private transient Consumer<Graphics2D> mark = canvas -> { };
@@ -99,11 +99,11 @@ public final class SimpleRay extends ZoomedComponent implements Runnable {
 
     @SuppressWarnings("ReferenceEquality")                    // the very request, not one like it
     private void restartIfReady() {
-        boolean ended = job.state().ended();
-        if (again && (ended || job.hasScene() && (shown || job.age(System.nanoTime()) > MAX_WAIT))) {
+        RenderJob.Snapshot now = job.snapshot();
+        if (again && (now.state().ended() || now.hasScene() && (shown || now.age(System.nanoTime()) > MAX_WAIT))) {
             RenderJob last = lastRead();
             if (last != null) {
-                SceneReport known = last == job ? SceneReport.NONE : job.findings();
+                SceneReport known = last == job ? SceneReport.NONE : now.findings();
                 begin(new RenderJob(last, known, request, regions.region(), regions.isAlone()), shown && request == job.request());
             }
             again = false;
@@ -112,13 +112,13 @@ public final class SimpleRay extends ZoomedComponent implements Runnable {
 
     /** {@return the last rendering that has read the present source; null if none did} */
     private RenderJob lastRead() {
-        RenderJob last = job.hasScene() ? job : read;
+        RenderJob last = job.snapshot().hasScene() ? job : read;
         return last != null && last.source() == source ? last : null;
     }
 
     private void begin(RenderJob next, boolean keep) {
         stop();
-        if (job != null && job.hasScene()) {
+        if (job != null && job.snapshot().hasScene()) {
             read = job;
             read.forget();
         }
@@ -155,16 +155,17 @@ public final class SimpleRay extends ZoomedComponent implements Runnable {
     /** Called by the "kicker": shows what was finished since, for a short time at most, and tells the listener. */
     @Override
     public void run() {
-        boolean ended = job.state().ended();                  // asked first: then no piece comes after the last one seen
-        boolean given = job.state() == RenderJob.State.CANCELLED && !shown;   // up, before it could be seen
-        long now = System.nanoTime();
-        if (!job.runs().isEmpty() && !given && (shown || ended || job.isCoarse() || job.age(now) > HOLD)) {
-            showRuns(now + MAX_WORK);
+        RenderJob.Snapshot now = job.snapshot();              // asked first: if it has ended, no run comes after the last one seen
+        boolean ended = now.state().ended();
+        boolean unseen = now.state() == RenderJob.State.CANCELLED && !shown;
+        long time = System.nanoTime();
+        if (!job.runs().isEmpty() && !unseen && (shown || ended || job.runs().isCoarse() || now.age(time) > HOLD)) {
+            showRuns(time + MAX_WORK);
         }
-        if (ended && (given || job.runs().isEmpty())) {
+        if (ended && (unseen || job.runs().isEmpty())) {
             kicker.stop();
-            if (job.state() == RenderJob.State.FINISHED && !job.isAlone()) {
-                whole = job.picture();
+            if (now.state() == RenderJob.State.FINISHED && !now.isAlone()) {
+                whole = now.picture();
             }
         }
         listener.run();
@@ -186,10 +187,11 @@ public final class SimpleRay extends ZoomedComponent implements Runnable {
 
     /** Where nothing but the region is another, the picture that is there already holds what comes. */
     private void showFirst() {
-        ProgressiveImage next = job.image();
+        RenderJob.Snapshot now = job.snapshot();              // with an image, since there are runs
+        ProgressiveImage next = now.image();
         regions.fit(next.image().getWidth(), next.image().getHeight());
         if (kept && next.isOf(image.getWidth(), image.getHeight())) {
-            progressive.reopen(job.isAlone() ? job.region() : Region.whole(image.getWidth(), image.getHeight()));
+            progressive.reopen(now.isAlone() ? now.region() : Region.whole(image.getWidth(), image.getHeight()));
             whole = null;
         } else {
             show(next);

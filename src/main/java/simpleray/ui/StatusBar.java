@@ -68,17 +68,17 @@ final class StatusBar extends JPanel {
         pixel.setToolTipText(line.isBlank() ? null : line);   // a narrow window cuts it
     }
 
-    /** Shows how far a rendering is, in a state that it has or had a moment ago. */
-    void show(RenderJob job, RenderJob.State state, Dimension shown) {
-        Progress progress = job.progress();
+    /** Shows how far a rendering is, or was a moment ago. */
+    void show(RenderJob job, RenderJob.Snapshot now, Dimension shown) {
+        Progress progress = now.progress();
         int rows = progress == null ? shown.height : progress.rows();
         int done = progress == null ? 0 : progress.finished();
         bar.setMaximum(rows);
         bar.setValue(done);
-        bar.setVisible(!state.ended());
+        bar.setVisible(!now.state().ended());
         size.setText(shown.width + " \u00D7 " + shown.height + ", " + job.request().stage());
-        String counted = done + " of " + rows + " rows, " + Progress.time(job.seconds());
-        say(switch (state) {
+        String counted = done + " of " + rows + " rows, " + Progress.time(now.seconds());
+        say(switch (now.state()) {
             case READING -> "Reading the scene";
             case RENDERING -> job.isPaused() ? "Paused: " + counted : "Rendering: " + counted + ", "
                 + Progress.time(progress == null ? Double.NaN : progress.left(System.nanoTime())) + " left";

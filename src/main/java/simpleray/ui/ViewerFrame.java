@@ -214,7 +214,7 @@ final class ViewerFrame extends JFrame {
     /** Shows how far the rendering is, in place of a message. */
     void showProgress() {
         if (picture.job() != null) {
-            status.show(picture.job(), picture.job().state(), picture.imageSize());
+            status.show(picture.job(), picture.job().snapshot(), picture.imageSize());
         }
     }
 
@@ -272,20 +272,20 @@ final class ViewerFrame extends JFrame {
             doubted = job;
             doubting = false;
         }
-        RenderJob.State state = job.state();                  // asked once: it may fail at any moment
-        if (job == doubted && state == RenderJob.State.FAILED) {
+        RenderJob.Snapshot now = job.snapshot();
+        if (job == doubted && now.state() == RenderJob.State.FAILED) {
             if (!patience.isRunning() && banner.message(GONE) == null) {
                 patience.start();
             }
             return;
         }
-        status.show(job, state, picture.imageSize());
+        status.show(job, now, picture.imageSize());
         inspector.update(job);
-        String text = job.problems();
-        if (state != RenderJob.State.READING && (job != told || !text.equals(toldText))) {
+        String text = now.problems();
+        if (now.state() != RenderJob.State.READING && (job != told || !text.equals(toldText))) {
             told = job;
             toldText = text;
-            showProblems(job);
+            showProblems(now);
             document.markProblems(job);
         }
         refreshMenus();
@@ -301,12 +301,12 @@ final class ViewerFrame extends JFrame {
         menus.refresh(picture.isBusy(), picture.whole() != null && !picture.isBusy(), opened != SceneSource.NONE);
     }
 
-    private void showProblems(RenderJob job) {
-        String text = job.problems();
+    private void showProblems(RenderJob.Snapshot now) {
+        String text = now.problems();
         if (text.equals(problems.getText())) {
             return;                                           // the same as before: what is selected stays so
         }
-        problems.show(text, job.places());
+        problems.show(text, now.findings().places());
         JScrollPane pane = text.isEmpty() ? null : new JScrollPane(problems);
         split.setBottomComponent(pane);
         split.setDividerSize(pane == null ? 0 : DIVIDER);

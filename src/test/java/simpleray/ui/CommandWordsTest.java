@@ -69,7 +69,7 @@ class CommandWordsTest {
                 window.picture().regions().setAlone(true);
                 window.picture().regions().set(new Region(20, 10, 30, 20));
             });
-            Screen.until("the region is rendered", () -> window.picture().job().isAlone() && !window.picture().isBusy()
+            Screen.until("the region is rendered", () -> window.picture().job().snapshot().isAlone() && !window.picture().isBusy()
                 && window.item("Copy Command Line").isEnabled());
             assertThat(window.canDo("Copy Picture")).isFalse();
             window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_L);

@@ -54,7 +54,7 @@ class FirstLightTest {
                 begun.set(System.nanoTime());
                 RenderJob job = window.picture().job();
                 window.picture().setListener(() -> {
-                    if (job == window.picture().job() && job.isCoarse() && seen.get() == 0
+                    if (job == window.picture().job() && job.runs().isCoarse() && seen.get() == 0
                         && isOpaque(window.picture().painted())) {
                         window.picture().paintImmediately(window.picture().getVisibleRect());
                         seen.set(System.nanoTime());

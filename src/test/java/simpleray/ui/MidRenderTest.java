@@ -25,7 +25,7 @@ class MidRenderTest {
     void renderTheUpperHalf() {
         window = new OpenWindow(TestScenes.watched(TestScenes.THESIS, gate), SIDE, SIDE);
         Screen.until("the upper half is finished",
-            () -> window.picture().job().progress() != null && window.picture().job().progress().finished() == HALF);
+            () -> window.picture().job().snapshot().progress() != null && window.picture().job().snapshot().progress().finished() == HALF);
     }
 
     @AfterEach

@@ -37,7 +37,7 @@ class RegionToolTest {
     void shiftAndADragRenderTheRegionFirst() throws AWTException {
         AtomicReference<Consumer<Ray>> hurdle = new AtomicReference<>(gate);
         window = new OpenWindow(TestScenes.watched(TestScenes.THESIS, ray -> hurdle.get().accept(ray)), SIDE, SIDE);
-        Screen.until("it renders", () -> window.picture().job().isCoarse());
+        Screen.until("it renders", () -> window.picture().job().runs().isCoarse());
         draw(REGION);
         Screen.until("the region is set", () -> REGION.equals(window.picture().regions().region()));
         hurdle.set(ray -> {
@@ -51,9 +51,9 @@ class RegionToolTest {
         gate.open();                                          // of the rendering before
 
         BufferedImage whole = TestScenes.rendered(TestScenes.THESIS, SIDE, SIDE);
-        Screen.until("the region is there, and of the rest only blocks", () -> window.picture().job().region() != null
-            && showsRegion(whole) && window.picture().job().progress() != null
-            && window.picture().job().progress().finished() == 0);
+        Screen.until("the region is there, and of the rest only blocks", () -> window.picture().job().snapshot().region() != null
+            && showsRegion(whole) && window.picture().job().snapshot().progress() != null
+            && window.picture().job().snapshot().progress().finished() == 0);
         second.open();
         window.untilState(RenderJob.State.FINISHED);
         OpenWindow.run(() -> window.picture().regions().set(null));
@@ -72,9 +72,9 @@ class RegionToolTest {
         Screen.until("the region is set", () -> REGION.equals(window.picture().regions().region()));
 
         window.untilState(RenderJob.State.FINISHED);
-        assertThat(window.job().isAlone()).isTrue();
+        assertThat(window.job().snapshot().isAlone()).isTrue();
         assertThat(window.status()).startsWith("Finished: 41 of 41 rows");
-        assertThat(window.job().picture().row(REGION.y())).isNull();
+        assertThat(window.job().snapshot().picture().row(REGION.y())).isNull();
         assertThat(window.canDo("Save Picture As…")).isFalse();
 
         window.screen.press(KeyEvent.VK_ESCAPE);

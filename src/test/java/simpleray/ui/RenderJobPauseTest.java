@@ -27,7 +27,7 @@ class RenderJobPauseTest {
 
         Screen.until("the status bar says so", () -> window.status().matches("Paused: 50 of 100 rows, [\\d.:]+ (s|min)"));
         assertThat(OpenWindow.ask(window.item("Pause")::isSelected)).isTrue();
-        assertThat(window.job().progress().finished()).isEqualTo(50);
+        assertThat(window.job().snapshot().progress().finished()).isEqualTo(50);
 
         window.screen.press(KeyEvent.VK_SPACE);
         window.untilState(RenderJob.State.FINISHED);
@@ -39,10 +39,10 @@ class RenderJobPauseTest {
     @Test
     void theTimeShownStandsMeanwhile() {
         pauseHalfWay();
-        double then = window.job().seconds();
+        double then = window.job().snapshot().seconds();
         Screen.until("the kicker came by", () -> true);
 
-        assertThat(window.job().seconds()).isEqualTo(then);
+        assertThat(window.job().snapshot().seconds()).isEqualTo(then);
     }
 
     @Test
@@ -68,7 +68,7 @@ class RenderJobPauseTest {
 
     private void pauseHalfWay() {
         Screen.until("the upper half is finished",
-            () -> window.picture().job().progress() != null && window.picture().job().progress().finished() == SIDE / 2);
+            () -> window.picture().job().snapshot().progress() != null && window.picture().job().snapshot().progress().finished() == SIDE / 2);
         window.screen.press(KeyEvent.VK_SPACE);
         Screen.until("it is paused", () -> window.picture().isPaused() && window.status().startsWith("Paused"));
     }

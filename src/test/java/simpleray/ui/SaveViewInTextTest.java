@@ -59,7 +59,7 @@ class SaveViewInTextTest {
         Screen.until("it is in the text", () -> (typed + CAMERA).equals(window.frame.document().text()));
         assertThat(Files.readString(scene)).isEqualTo(SCENE);
         Screen.until("it is rendered", () -> window.picture().whole() != null && !window.picture().isBusy()
-            && window.picture().job().settings().camera != null && window.picture().request().settings().camera == null);
+            && window.picture().job().snapshot().settings().camera != null && window.picture().request().settings().camera == null);
         assertThat(OpenWindow.ask(() -> window.frame.document().isChanged())).isTrue();
         assertThat(window.canDo("Copy Command Line")).isFalse();
 

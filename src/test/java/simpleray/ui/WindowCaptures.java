@@ -69,7 +69,7 @@ final class WindowCaptures {
             }
         });
         try (OpenWindow window = open(held, dark, 640, 440)) {
-            Screen.until("the coarse picture is there", () -> window.picture().job().isCoarse() && left.get() < 0
+            Screen.until("the coarse picture is there", () -> window.picture().job().runs().isCoarse() && left.get() < 0
                 && window.picture().job().runs().isEmpty());
             capture(window, "coarse");
             gate.countDown();
