@@ -84,7 +84,7 @@ final class RenderJob {
             return loaded == null ? null : loaded.file.scene();
         }
 
-        /** {@return the settings that the picture is made with, of the scene and of what was asked for; null before rendering has begun} */
+        /** {@return the settings of the picture, from the scene and from what was asked for; null before rendering has begun} */
         SceneSettings settings() {
             return run == null ? null : run.settings;
         }

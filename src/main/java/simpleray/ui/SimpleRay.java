@@ -211,9 +211,9 @@ public final class SimpleRay extends ZoomedComponent implements Runnable {
         screen.fillRect(0, 0, getWidth(), getHeight());
         Rectangle place = place();
         if (!place.isEmpty()) {
-            ZoomPainter.paint(screen, image, placed(), ui());
+            placed().paint(screen, image, ui());
             if (marks != null) {
-                ZoomPainter.paint(screen, marks, placed(), ui());
+                placed().paint(screen, marks, ui());
             }
             regions.paint(screen, place);
             mark.accept(screen);

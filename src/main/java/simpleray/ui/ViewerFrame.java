@@ -79,7 +79,7 @@ final class ViewerFrame extends JFrame {
             }
         });
         picture.setListener(this::refresh);
-        status.addRight(new ZoomLabel(picture));
+        status.addRight(ZoomTool.label(picture));
         setMinimumSize(new Dimension(320, 240));
         desktop.placeWindow();
         validate();                                           // problems that are known at once find how high the window is

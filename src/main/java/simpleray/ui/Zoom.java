@@ -1,7 +1,12 @@
 package simpleray.ui;
 
 import java.awt.Dimension;
+import java.awt.Graphics2D;
 import java.awt.Point;
+import java.awt.Rectangle;
+import java.awt.RenderingHints;
+import java.awt.geom.AffineTransform;
+import java.awt.image.BufferedImage;
 
 /**
  * How large a picture is shown: at a scale, or as large as fits into the window. <em>Constant.</em>
@@ -40,9 +45,46 @@ record Zoom(boolean fitted, double scale) {
         int row(double screenY) {
             return (int) Math.floor((screenY - y) / scale);
         }
+
+        /**
+         * Paints the picture in pixels of the screen, so that at 100 % and its multiples each pixel of the picture is a square of them.
+         *
+         * @param g paints the component
+         * @param ui how many screen pixels a unit of the component's size has
+         */
+        void paint(Graphics2D g, BufferedImage image, double ui) {
+            AffineTransform units = g.getTransform();
+            Graphics2D screen = (Graphics2D) g.create();
+            double shrunk = units.getScaleX() / ui;           // 1, unless something else than the screen is painted on
+            screen.setTransform(new AffineTransform());
+            screen.translate((double) Math.round(units.getTranslateX()), (double) Math.round(units.getTranslateY()));
+            screen.scale(shrunk, shrunk);
+            screen.setRenderingHint(RenderingHints.KEY_INTERPOLATION,
+                scale < 1 ? RenderingHints.VALUE_INTERPOLATION_BILINEAR : RenderingHints.VALUE_INTERPOLATION_NEAREST_NEIGHBOR);
+            Rectangle clip = screen.getClipBounds();
+            if (scale != Math.rint(scale) || clip == null) {
+                screen.drawImage(image, x, y, width, height, null);
+            } else {
+                paintVisible(screen, image, clip);
+            }
+            screen.dispose();
+        }
+
+        /** Paints only the visible part of a picture, which may be far larger than the window. */
+        private void paintVisible(Graphics2D screen, BufferedImage image, Rectangle clip) {
+            int size = (int) scale;
+            int left = Math.max(0, column(clip.x));
+            int top = Math.max(0, row(clip.y));
+            int right = Math.min(image.getWidth(), column(clip.x + clip.width) + 1);
+            int bottom = Math.min(image.getHeight(), row(clip.y + clip.height) + 1);
+            if (left < right && top < bottom) {
+                screen.drawImage(image, x + left * size, y + top * size, x + right * size, y + bottom * size,
+                    left, top, right, bottom, null);
+            }
+        }
     }
 
-    /** {@return the next larger step, or this one if there is none; now being the scale that a fitted picture has} */
+    /** {@return the next step larger than the present scale, which a fitted picture has from its window; this one if there is none} */
     Zoom in(double now) {
         for (double step : STEPS) {
             if (step > now * (1 + SAME)) {
@@ -52,7 +94,7 @@ record Zoom(boolean fitted, double scale) {
         return this;
     }
 
-    /** {@return the next smaller step, or this one if there is none} */
+    /** {@return the next step smaller than the present scale; this one if there is none} */
     Zoom out(double now) {
         for (int i = STEPS.length - 1; i >= 0; i--) {
             if (STEPS[i] < now * (1 - SAME)) {
@@ -86,14 +128,14 @@ record Zoom(boolean fitted, double scale) {
     }
 
     /**
-     * Finds where a window must be over a component, so that the point of the picture under a point of the window stays under it.
+     * Returns the view position that keeps a point of the picture at the same point of the viewport when the scale changes.
      *
-     * @param inWindow the point, from the window's corner
-     * @param before the picture's place before it was scaled
-     * @param was where the window was over the component then
-     * @param after the picture's place now
+     * @param inWindow the point, from the viewport's corner
+     * @param before the picture's place at the former scale
+     * @param was the view position at the former scale
+     * @param after the picture's place at the present scale
      * @param ui how many screen pixels a unit of the component's size has
-     * @return where the window must be; it may lie outside, where a picture's edge is in the window
+     * @return the view position; it may lie outside the component where an edge of the picture is in the viewport
      */
     static Point kept(Point inWindow, Place before, Point was, Place after, double ui) {
         double u = ((was.x + inWindow.x) * ui - before.x) / before.scale;

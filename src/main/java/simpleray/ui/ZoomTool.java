@@ -2,6 +2,8 @@ package simpleray.ui;
 
 import java.awt.Point;
 import java.awt.event.ActionEvent;
+import java.awt.event.ComponentAdapter;
+import java.awt.event.ComponentEvent;
 import java.awt.event.InputEvent;
 import java.awt.event.MouseWheelEvent;
 import java.util.Locale;
@@ -10,21 +12,22 @@ import javax.swing.AbstractAction;
 import javax.swing.Action;
 import javax.swing.ButtonGroup;
 import javax.swing.JComponent;
+import javax.swing.JLabel;
 import javax.swing.JMenu;
 import javax.swing.JRadioButtonMenuItem;
 import javax.swing.JScrollPane;
 import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
 
-/** Brings the picture closer and back: by the wheel with Ctrl about the cursor, by keys and the View menu about the middle. */
+/** Zooms the picture: by the wheel with Ctrl about the cursor, by keys and the View menu about the middle; and shows its scale. */
 final class ZoomTool {
-    /** A picture of other layouts and of the number pad is reached by these too; the menu shows the first. */
+    /** Other keyboards and the number pad have other keys; the menu shows the first. */
     private static final String[] IN = {"control PLUS", "control EQUALS", "control shift EQUALS", "control shift PLUS", "control ADD"};
     private static final String[] OUT = {"control MINUS", "control SUBTRACT"};
     private static final String[] ACTUAL = {"control 0", "control NUMPAD0"};
 
     private final ZoomedComponent picture;
-    private double turned;                                    // of the wheel, in notches, until it makes a step
+    private double turned;                                    // notches of the wheel that have not made a step yet
 
     ZoomTool(ZoomedComponent picture) {
         this.picture = picture;
@@ -49,6 +52,23 @@ final class ZoomTool {
         menu.add(fit);
         menu.add(action("Zoom In", () -> picture.zoom().in(picture.placed().scale()), IN));
         menu.add(action("Zoom Out", () -> picture.zoom().out(picture.placed().scale()), OUT));
+    }
+
+    /** {@return a label that says how large a picture is shown} */
+    static JLabel label(ZoomedComponent picture) {
+        JLabel label = new JLabel();
+        label.setName("zoom");
+        label.getAccessibleContext().setAccessibleDescription("Zoom");
+        Runnable show = () -> label.setText(Zoom.percent(picture.placed().scale()));
+        picture.addPropertyChangeListener(ZoomedComponent.ZOOM, e -> show.run());
+        picture.addComponentListener(new ComponentAdapter() {
+            @Override
+            public void componentResized(ComponentEvent e) {
+                show.run();                                   // a fitted picture grows with the window
+            }
+        });
+        show.run();
+        return label;
     }
 
     /** The arrows alone move the camera. */
@@ -82,7 +102,7 @@ final class ZoomTool {
             return;
         }
         e.consume();
-        turned += e.getPreciseWheelRotation();                // of a touchpad many small turns make a step
+        turned += e.getPreciseWheelRotation();                // a touchpad needs many small turns for a step
         Point about = e.getPoint();
         while (Math.abs(turned) >= 1) {
             double now = picture.placed().scale();

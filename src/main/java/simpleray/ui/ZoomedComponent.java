@@ -5,6 +5,7 @@ import java.awt.GraphicsConfiguration;
 import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.geom.Rectangle2D;
+import javax.swing.JViewport;
 import javax.swing.Scrollable;
 import javax.swing.SwingConstants;
 
@@ -70,9 +71,25 @@ abstract class ZoomedComponent extends DrawnComponent implements Scrollable {
      */
     final void setZoom(Zoom other, Point about) {
         Zoom before = zoom;
-        ZoomPainter.keep(this, about, () -> zoom = other);
+        Zoom.Place was = placed();
+        zoom = other;
+        revalidate();
+        if (getParent() instanceof JViewport port) {
+            keepInPlace(port, about, was);
+        }
         repaint();
         firePropertyChange(ZOOM, before, zoom);
+    }
+
+    private void keepInPlace(JViewport port, Point about, Zoom.Place was) {
+        port.setScrollMode(JViewport.SIMPLE_SCROLL_MODE);     // others move parts of pixels on a scaled desktop
+        Point corner = port.getViewPosition();
+        Point inWindow = about == null ? new Point(port.getWidth() / 2, port.getHeight() / 2)
+            : new Point(about.x - corner.x, about.y - corner.y);
+        port.getParent().validate();                          // now, so that no picture is seen at the new scale in the old place
+        Point kept = Zoom.kept(inWindow, was, corner, placed(), ui());
+        port.setViewPosition(new Point(Math.max(0, Math.min(kept.x, getWidth() - port.getWidth())),
+            Math.max(0, Math.min(kept.y, getHeight() - port.getHeight()))));
     }
 
     @Override

@@ -71,7 +71,7 @@ class ZoomStepsTest {
         canvas.translate(5, 3);
         canvas.setClip(0, 0, 150, 100);
         Dimension room = new Zoom(false, scale).size(new Dimension(20, 10), ui);
-        ZoomPainter.paint(canvas, picture, new Zoom(false, scale).place(room, new Dimension(20, 10), ui), ui);
+        new Zoom(false, scale).place(room, new Dimension(20, 10), ui).paint(canvas, picture, ui);
 
         int left = (int) Math.round(5 * ui);
         int top = (int) Math.round(3 * ui);
