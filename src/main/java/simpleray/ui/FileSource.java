@@ -76,7 +76,7 @@ final class FileSource implements SceneSource {
         if (!now.there()) {
             throw refusal("It is no longer there", null);
         }
-        if (!now.equals(read)) {
+        if (read == null || !now.isSame(read)) {
             throw refusal("It was changed on the disk since it was read: read it again first (F5)", null);
         }
     }

@@ -13,11 +13,9 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
 import simpleray.ui.SceneWatcher.News;
 
-/** Files that change on the disk, where the system tells of it and where one must look. */
+/** Files that change on the disk. */
 class SceneWatcherTest {
     private final List<News> news = new CopyOnWriteArrayList<>();
 
@@ -38,29 +36,26 @@ class SceneWatcherTest {
         Screen.until("its thread ends", () -> OpenWindow.threads().isEmpty());
     }
 
-    @ParameterizedTest
-    @ValueSource(booleans = {true, false})
-    void aFileThatIsWrittenInPlaceIsTold(boolean asking) throws IOException {
-        watch(asking);
+    @Test
+    void aFileThatIsWrittenInPlaceIsTold() throws IOException {
+        watch();
         Files.writeString(scene, "2");
         untilTold(News.CHANGED);
     }
 
-    @ParameterizedTest
-    @ValueSource(booleans = {true, false})
-    void aFileThatTakesItsPlaceIsToldThoughSizeAndTimeAreTheSame(boolean asking) throws IOException {
+    @Test
+    void aFileThatTakesItsPlaceIsToldThoughSizeAndTimeAreTheSame() throws IOException {
         FileTime time = Files.getLastModifiedTime(scene);
-        watch(asking);
+        watch();
         Path other = Files.writeString(folder.resolve("room.new"), Files.readString(scene).replace('4', '5'));
         Files.setLastModifiedTime(other, time);
         Files.move(other, scene, StandardCopyOption.ATOMIC_MOVE);
         untilTold(News.CHANGED);
     }
 
-    @ParameterizedTest
-    @ValueSource(booleans = {true, false})
-    void aFileThatIsDeletedAndBackIsTold(boolean asking) throws IOException {
-        watch(asking);
+    @Test
+    void aFileThatIsDeletedAndBackIsTold() throws IOException {
+        watch();
         Files.delete(scene);
         untilTold(News.DELETED);
         Files.writeString(scene, "3");
@@ -69,14 +64,14 @@ class SceneWatcherTest {
 
     @Test
     void aMeshIsTold() throws IOException {
-        watch(true);
+        watch();
         Files.writeString(folder.resolve("#1.obj"), "v 0 0 0");
         untilTold(News.CHANGED);
     }
 
     @Test
     void aMeshThatTheSceneNamesLaterIsTold() throws IOException {
-        watch(true);
+        watch();
         Files.writeString(scene, "1\n4 \"later.obj\"");
         untilTold(News.CHANGED);
         Files.writeString(folder.resolve("#1.obj"), "no longer named");
@@ -90,7 +85,7 @@ class SceneWatcherTest {
         Path real = Files.writeString(Files.createDirectory(folder.resolve("real")).resolve("a.scene"), "1");
         Files.delete(scene);
         Files.createSymbolicLink(scene, real);
-        watch(true);
+        watch();
         Files.writeString(real, "22");
         untilTold(News.CHANGED);
     }
@@ -98,7 +93,7 @@ class SceneWatcherTest {
     @Test
     void aFolderThatIsMovedAwayAndBackIsADeletedScene() throws IOException {
         scene = Files.writeString(Files.createDirectory(folder.resolve("a")).resolve("b.scene"), "1");
-        watch(true);
+        watch();
         Files.move(folder.resolve("a"), folder.resolve("moved"));
         untilTold(News.DELETED);
         Files.move(folder.resolve("moved"), folder.resolve("a"));
@@ -118,13 +113,13 @@ class SceneWatcherTest {
     @Test
     void aSceneThatIsNotThereYetIsToldWhenItIs() throws IOException {
         Files.delete(scene);
-        watch(true);
+        watch();
         Files.writeString(scene, "1");
         untilTold(News.CHANGED);
     }
 
-    private void watch(boolean asking) {
-        watcher = new SceneWatcher(scene, news::add, asking);
+    private void watch() {
+        watcher = new SceneWatcher(scene, news::add);
         watcher.start();
         Screen.until("all is watched", watcher::isWatching);
     }
