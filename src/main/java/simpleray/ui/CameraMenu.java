@@ -2,7 +2,6 @@ package simpleray.ui;
 
 import java.awt.Toolkit;
 import java.awt.datatransfer.StringSelection;
-import java.awt.event.ActionEvent;
 import java.awt.event.KeyEvent;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -11,12 +10,12 @@ import java.nio.file.Path;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.TimeUnit;
-import javax.swing.AbstractAction;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
 import javax.swing.Action;
 import javax.swing.JComponent;
 import javax.swing.JMenu;
 import javax.swing.JOptionPane;
-import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
 import simpleray.scene.FreeView;
 import simpleray.scene.SceneSettings;
@@ -29,15 +28,26 @@ final class CameraMenu {
     private static final double PIECE = 0.05;                 // of the picture's height
     private static final String TITLE = "The view was not saved";
 
-    private final ViewerFrame frame;
+    private final ViewerContext window;
+    private final Supplier<String> text;
+    private final Consumer<String> replacement;
     private final SimpleRay picture;
     private final CameraTool tool;
     private final JMenu menu = new JMenu("Camera");
     private final ExecutorService writer = Executors.newSingleThreadExecutor(task -> new Thread(task, "simpleray-view"));
 
-    CameraMenu(ViewerFrame frame) {
-        this.frame = frame;
-        picture = frame.picture();
+    /**
+     * Creates the menu.
+     *
+     * @param window the window
+     * @param text supplies the scene's text as it is edited; null if it is not
+     * @param replacement takes the text with another view in it
+     */
+    CameraMenu(ViewerContext window, Supplier<String> text, Consumer<String> replacement) {
+        this.window = window;
+        this.text = text;
+        this.replacement = replacement;
+        picture = window.picture();
         tool = new CameraTool(picture);
         menu.setMnemonic(KeyEvent.VK_C);
         add("Orbit Left", "LEFT", () -> tool.turn(-STEP, 0));
@@ -79,17 +89,8 @@ final class CameraMenu {
 
     /** Adds an item. Its key also works where the pane round the picture would take it for scrolling. */
     private void add(String name, String key, Runnable task) {
-        Action action = new AbstractAction(name) {
-            private static final long serialVersionUID = 1L;
-
-            @Override
-            public void actionPerformed(ActionEvent e) {
-                task.run();
-            }
-        };
-        action.putValue(Action.ACCELERATOR_KEY, KeyStroke.getKeyStroke(key));
-        picture.getInputMap(JComponent.WHEN_FOCUSED).put(KeyStroke.getKeyStroke(key), name);
-        picture.getActionMap().put(name, action);
+        Action action = KeyBindings.action(name, key, task);
+        KeyBindings.bind(picture, JComponent.WHEN_FOCUSED, key, action);
         menu.add(action);
     }
 
@@ -97,7 +98,7 @@ final class CameraMenu {
     private void copy() {
         SceneSettings view = tool.view();
         if (view == null) {
-            frame.say("There is no camera to copy: no scene was read");
+            window.say("There is no camera to copy: no scene was read");
             return;
         }
         if (FreeView.isExact(view)) {
@@ -107,24 +108,24 @@ final class CameraMenu {
         }
         String lines = ViewLines.of(view);
         Toolkit.getDefaultToolkit().getSystemClipboard().setContents(new StringSelection(lines), null);
-        frame.say("Copied: " + lines.strip().replace("\n", "; "));
+        window.say("Copied: " + lines.strip().replace("\n", "; "));
     }
 
     private void save() {
         SceneSettings view = tool.view();
         if (view == null) {
-            frame.say("There is no view to save: no scene was read");
-        } else if (frame.document().text() != null && tool.isOther()) {
-            putIntoText(picture.source(), frame.document().text(), view);
+            window.say("There is no view to save: no scene was read");
+        } else if (text.get() != null && tool.isOther()) {
+            putIntoText(picture.source(), text.get(), view);
         } else if (!(picture.source() instanceof FileSource file)) {
             tell("The scene came by standard input: there is no file to write to");
         } else if (!tool.isOther()) {
-            frame.say("The scene has this view already");
+            window.say("The scene has this view already");
         } else {
             writer.execute(() -> {
                 String failure = failure(file, view);
                 if (failure == null) {
-                    frame.wroteScene();                       // else it would be read twice
+                    window.wroteScene();                       // else it would be read twice
                 }
                 SwingUtilities.invokeLater(() -> saved(file, view, failure));
             });
@@ -132,13 +133,13 @@ final class CameraMenu {
     }
 
     /** Writes the view into the text beside the picture, in which something may be typed that the file does not have. */
-    private void putIntoText(SceneSource source, String text, SceneSettings view) {
+    private void putIntoText(SceneSource source, String edited, SceneSettings view) {
         Path path = source.path() == null ? Path.of(source.name().replaceAll("[<>]", "")) : source.path();
         writer.execute(() -> {
             String put = null;
             String failure = null;
             try {
-                put = new String(ViewLines.put(text.getBytes(StandardCharsets.UTF_8), path, view, source.reach()),
+                put = new String(ViewLines.put(edited.getBytes(StandardCharsets.UTF_8), path, view, source.reach()),
                     StandardCharsets.UTF_8);
             } catch (SceneFormatException e) {
                 failure = "The text is not readable as a scene: " + e.getMessage().lines().findFirst().orElse("");
@@ -148,16 +149,16 @@ final class CameraMenu {
             String made = put;
             String why = failure;
             SwingUtilities.invokeLater(() -> {
-                if (!frame.isDisplayable()) {                 // closed meanwhile
+                if (!window.frame().isDisplayable()) {                 // closed meanwhile
                     return;
                 }
                 if (why != null) {
                     tell(source.name() + '\n' + why);
-                } else if (picture.source() == source && text.equals(frame.document().text())) {
+                } else if (picture.source() == source && edited.equals(text.get())) {
                     tool.release();
-                    frame.document().replace(made);
+                    replacement.accept(made);
                 } else {
-                    frame.say("The text was changed meanwhile: try again");
+                    window.say("The text was changed meanwhile: try again");
                 }
             });
         });
@@ -168,18 +169,18 @@ final class CameraMenu {
             tell(file.name() + '\n' + failure);
             return;
         }
-        if (!frame.isDisplayable()) {                         // closed meanwhile: nothing is to be rendered any more
+        if (!window.frame().isDisplayable()) {                         // closed meanwhile: nothing is to be rendered any more
             return;
         }
         SceneSettings now = picture.source() == file ? tool.view() : null;
         if (now != null && ViewLines.of(now).equals(ViewLines.of(view))) {
             tool.adopt();                                     // unless it was moved on meanwhile
         }
-        frame.say("Saved the view in " + file.name());
+        window.say("Saved the view in " + file.name());
     }
 
     private void tell(String reason) {
-        JOptionPane.showMessageDialog(frame, reason, TITLE, JOptionPane.ERROR_MESSAGE);
+        JOptionPane.showMessageDialog(window.frame(), reason, TITLE, JOptionPane.ERROR_MESSAGE);
     }
 
     /** {@return why the view could not be saved, a line; null if it was} */

@@ -7,12 +7,9 @@ import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.Rectangle;
 import java.awt.RenderingHints;
-import java.awt.event.ActionEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.awt.image.BufferedImage;
-import javax.swing.AbstractAction;
-import javax.swing.KeyStroke;
 
 /** Two pictures side by side, or one over the other with a divider between what is seen of each. */
 final class CompareView extends DrawnComponent {
@@ -61,15 +58,9 @@ final class CompareView extends DrawnComponent {
     }
 
     private void addKey(String key, double step) {
-        getInputMap().put(KeyStroke.getKeyStroke(key), key);
-        getActionMap().put(key, new AbstractAction() {
-            private static final long serialVersionUID = 1L;
-
-            @Override
-            public void actionPerformed(ActionEvent e) {
-                if (wiped) {
-                    setDivider(divider + step);
-                }
+        KeyBindings.bind(this, WHEN_FOCUSED, key, () -> {
+            if (wiped) {
+                setDivider(divider + step);
             }
         });
     }

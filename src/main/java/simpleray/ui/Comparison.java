@@ -19,7 +19,7 @@ import simpleray.render.RenderRequest;
 
 /** Looks at finished pictures: compares the last ones, marks clipped pixels, counts the light. For the event thread. */
 final class Comparison {
-    private final ViewerFrame frame;
+    private final ViewerContext window;
     private final History history = new History();
     private final Late<ComparePane> pane = new Late<>(this::newPane);
     private final Late<HistogramPane> counted = new Late<>(this::newHistogram);
@@ -35,8 +35,8 @@ final class Comparison {
     private Picture seen;
     private FinishedRender latest;                            // what was found in it; null until it is
 
-    Comparison(ViewerFrame frame) {
-        this.frame = frame;
+    Comparison(ViewerContext window) {
+        this.window = window;
         menu.setMnemonic(KeyEvent.VK_P);
         menu.add(beside);
         menu.add(wipe);
@@ -44,7 +44,7 @@ final class Comparison {
     }
 
     private JCheckBoxMenuItem item(String name, String key, Runnable task) {
-        Action action = ViewerMenus.action(name, key, task);
+        Action action = KeyBindings.action(name, key, task);
         return new JCheckBoxMenuItem(action);
     }
 
@@ -75,7 +75,7 @@ final class Comparison {
 
     /** Looks at the picture if it is another than before. */
     void refresh() {
-        SimpleRay shown = frame.picture();
+        SimpleRay shown = window.picture();
         Picture whole = shown.whole();
         if (whole == seen || closed) {
             return;
@@ -110,7 +110,7 @@ final class Comparison {
                 FinishedRender found = new FinishedRender(picture, source, request, seconds, now);
                 SwingUtilities.invokeLater(() -> take(picture, found));
             } catch (OutOfMemoryError e) {                    // then this one is not compared
-                SwingUtilities.invokeLater(() -> frame.say("The memory is too short to keep the picture for comparing"));
+                SwingUtilities.invokeLater(() -> window.say("The memory is too short to keep the picture for comparing"));
             }
         });
     }
@@ -150,16 +150,16 @@ final class Comparison {
         }
         compared.view().setWiped(wipe.isSelected());
         if (isComparing() && place == null) {
-            place = (JScrollPane) SwingUtilities.getAncestorOfClass(JScrollPane.class, frame.picture());
+            place = (JScrollPane) SwingUtilities.getAncestorOfClass(JScrollPane.class, window.picture());
             SwingUtilities.updateComponentTreeUI(compared);       // the look may be another since
             compared.list(history.pictures());
             place.setViewportView(compared);
             compared.view().requestFocusInWindow();
         } else if (!isComparing() && place != null) {
-            place.setViewportView(frame.picture());
+            place.setViewportView(window.picture());
             place = null;
             compared.list(List.of());                         // or it would hold two that the machine may want back
-            frame.picture().requestFocusInWindow();
+            window.picture().requestFocusInWindow();
         }
         allow();
     }
@@ -169,19 +169,19 @@ final class Comparison {
         pane.ifMade(compared -> compared.setMarked(marked));
         FinishedRender found = marked && !closed ? latest : null;
         if (found == null) {
-            frame.picture().setMarks(null);
-            frame.showProgress();                             // in place of what was counted
+            window.picture().setMarks(null);
+            window.showProgress();                             // in place of what was counted
         } else {
             look(() -> {
                 BufferedImage made = found.marks();
                 SwingUtilities.invokeLater(() -> {
                     if (found == latest && marks.isSelected()) {
-                        frame.picture().setMarks(made);
+                        window.picture().setMarks(made);
                     }
                 });
             });
             Histogram light = found.histogram();
-            frame.say(light.clippedAbove() + " pixels above 1 (magenta), " + light.clippedBelow() + " below 0 (cyan), of "
+            window.say(light.clippedAbove() + " pixels above 1 (magenta), " + light.clippedBelow() + " below 0 (cyan), of "
                 + light.pixels());
         }
     }
@@ -189,12 +189,12 @@ final class Comparison {
     private void showHistogram() {
         if (histogram.isSelected()) {
             SwingUtilities.updateComponentTreeUI(counted.get());
-            frame.add(counted.get(), BorderLayout.EAST);
+            window.frame().add(counted.get(), BorderLayout.EAST);
         } else {
-            frame.remove(counted.get());
+            window.frame().remove(counted.get());
         }
-        frame.validate();
-        frame.repaint();
+        window.frame().validate();
+        window.frame().repaint();
     }
 
     private void countByLogarithm() {

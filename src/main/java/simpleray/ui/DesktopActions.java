@@ -18,14 +18,13 @@ final class DesktopActions {
     /** An action's further key, beside that which its menu shows. */
     static final String ALSO = "simpleray.also";
 
-    private final ViewerFrame frame;
+    private final ViewerContext window;
     private final Action copyPicture;
     private final Action copyCommand;
     private final RecentMenu recent;
     private final LookMenu look;
     private final HelpMenu help;
     private final Preferences preferences;
-    private final Comparison comparison;
     private WindowPlace place;
     private volatile Thread icon;                             // makes the window's icon; null before
     private volatile Thread copying;                          // a picture to the clipboard; null if none was
@@ -35,25 +34,24 @@ final class DesktopActions {
     private record Made(Picture picture, SceneSource source, RenderRequest request) {
     }
 
-    DesktopActions(ViewerFrame frame, Preferences preferences, Look look) {
-        this.frame = frame;
+    DesktopActions(ViewerContext window, Preferences preferences, Look look, Runnable lookChanged) {
+        this.window = window;
         this.preferences = preferences;
-        this.look = new LookMenu(frame, preferences, look);
-        copyPicture = ViewerMenus.action("Copy Picture", "control C", this::copyPicture);
-        copyCommand = ViewerMenus.action("Copy Command Line", "control shift L", this::copyCommand);
-        recent = new RecentMenu(frame, preferences);
-        help = new HelpMenu(frame);
-        comparison = new Comparison(frame);
-        frame.setTransferHandler(new SceneDrop(frame));
+        this.look = new LookMenu(window.frame(), preferences, look, lookChanged);
+        copyPicture = KeyBindings.action("Copy Picture", "control C", this::copyPicture);
+        copyCommand = KeyBindings.action("Copy Command Line", "control shift L", this::copyCommand);
+        recent = new RecentMenu(window, preferences);
+        help = new HelpMenu(window);
+        window.frame().setTransferHandler(new SceneDrop(window));
     }
 
     /** Puts the window, which has all its parts by now, where it was. */
     void placeWindow() {
-        place = new WindowPlace(frame, preferences);
-        frame.addWindowListener(new WindowAdapter() {
+        place = new WindowPlace(window.frame(), preferences);
+        window.frame().addWindowListener(new WindowAdapter() {
             @Override
             public void windowOpened(WindowEvent e) {
-                icon = ProgramIcon.set(frame);
+                icon = ProgramIcon.set(window.frame());
             }
         });
     }
@@ -73,10 +71,6 @@ final class DesktopActions {
         return look.menu();
     }
 
-    Comparison comparison() {
-        return comparison;
-    }
-
     JMenu helpMenu() {
         return help.menu();
     }
@@ -85,8 +79,8 @@ final class DesktopActions {
     void addKey(Action action, String key) {
         KeyStroke stroke = KeyStroke.getKeyStroke(key);
         action.putValue(ALSO, stroke);
-        frame.getRootPane().getInputMap(JComponent.WHEN_IN_FOCUSED_WINDOW).put(stroke, action);
-        frame.getRootPane().getActionMap().put(action, action);
+        window.frame().getRootPane().getInputMap(JComponent.WHEN_IN_FOCUSED_WINDOW).put(stroke, action);
+        window.frame().getRootPane().getActionMap().put(action, action);
     }
 
     /** Notes that a scene is opened. */
@@ -96,7 +90,7 @@ final class DesktopActions {
 
     /** Enables what can be done now. */
     void refresh() {
-        SimpleRay shown = frame.picture();
+        SimpleRay shown = window.picture();
         Picture whole = shown.whole();
         RenderJob job = shown.job();
         RenderJob.Snapshot now = job == null ? null : job.snapshot();
@@ -109,7 +103,6 @@ final class DesktopActions {
         } else {
             made = null;
         }
-        comparison.refresh();
         copyPicture.setEnabled(made != null && made.picture != null);
         copyCommand.setEnabled(made != null && made.source instanceof FileSource);   // a text that is in no file cannot be named
     }
@@ -129,7 +122,7 @@ final class DesktopActions {
                 CopiedPicture copied = new CopiedPicture(picture.toBufferedImage());
                 SwingUtilities.invokeLater(() -> copy(copied, "Copied the picture"));
             } catch (OutOfMemoryError e) {
-                SwingUtilities.invokeLater(() -> frame.say("The memory is too short to copy the picture"));
+                SwingUtilities.invokeLater(() -> window.say("The memory is too short to copy the picture"));
             }
         }, "simpleray-copying");
         copying.setDaemon(true);
@@ -145,15 +138,14 @@ final class DesktopActions {
     private void copy(Transferable copied, String done) {
         try {
             Toolkit.getDefaultToolkit().getSystemClipboard().setContents(copied, null);
-            frame.say(done);
+            window.say(done);
         } catch (IllegalStateException e) {                   // another program holds it just now
-            frame.say("The clipboard is not free just now: try again");
+            window.say("The clipboard is not free just now: try again");
         }
     }
 
     /** Notes what is to be remembered of the window. */
     void close() {
-        comparison.close();
         look.close();
         place.remember();
         preferences.close();
@@ -161,7 +153,6 @@ final class DesktopActions {
 
     /** Waits until it is written, and until all threads have ended; not for the event thread. */
     void await() throws InterruptedException {
-        comparison.await();
         look.await();
         for (Thread own : new Thread[] {icon, copying}) {
             if (own != null) {

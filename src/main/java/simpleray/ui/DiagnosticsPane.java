@@ -4,7 +4,6 @@ import java.awt.Color;
 import java.awt.Cursor;
 import java.awt.Dimension;
 import java.awt.Insets;
-import java.awt.event.ActionEvent;
 import java.awt.event.FocusEvent;
 import java.awt.event.FocusListener;
 import java.awt.event.MouseAdapter;
@@ -12,9 +11,7 @@ import java.awt.event.MouseEvent;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
-import javax.swing.AbstractAction;
 import javax.swing.JTextPane;
-import javax.swing.KeyStroke;
 import javax.swing.UIManager;
 import javax.swing.text.AttributeSet;
 import javax.swing.text.BadLocationException;
@@ -52,15 +49,7 @@ final class DiagnosticsPane extends JTextPane {
         getAccessibleContext().setAccessibleDescription("Enter goes to the selected problem's line");
         setEditable(false);
         setFont(Look.monospaced());
-        getInputMap().put(KeyStroke.getKeyStroke("ENTER"), "follow");
-        getActionMap().put("follow", new AbstractAction() {
-            private static final long serialVersionUID = 1L;
-
-            @Override
-            public void actionPerformed(ActionEvent e) {
-                follow();
-            }
-        });
+        KeyBindings.bind(this, WHEN_FOCUSED, "ENTER", this::follow);
         addCaretListener(e -> selectAt(e.getDot()));
         addFocusListener(new FocusListener() {
             @Override

@@ -6,14 +6,14 @@ import javax.swing.JOptionPane;
 
 /** Help: all keys, and which program this is. */
 final class HelpMenu {
-    private final ViewerFrame frame;
+    private final ViewerContext window;
     private final JMenu menu = new JMenu("Help");
 
-    HelpMenu(ViewerFrame frame) {
-        this.frame = frame;
+    HelpMenu(ViewerContext window) {
+        this.window = window;
         menu.setMnemonic(KeyEvent.VK_H);
-        menu.add(ViewerMenus.action("Shortcuts", "typed ?", () -> new ShortcutsDialog(frame).setVisible(true)));
-        menu.add(ViewerMenus.action("About SimpleRay", "F1", this::about));
+        menu.add(KeyBindings.action("Shortcuts", "typed ?", () -> new ShortcutsDialog(window.frame()).setVisible(true)));
+        menu.add(KeyBindings.action("About SimpleRay", "F1", this::about));
     }
 
     JMenu menu() {
@@ -21,7 +21,7 @@ final class HelpMenu {
     }
 
     private void about() {
-        JOptionPane.showMessageDialog(frame, aboutText(), "About SimpleRay", JOptionPane.INFORMATION_MESSAGE, ProgramIcon.large());
+        JOptionPane.showMessageDialog(window.frame(), aboutText(), "About SimpleRay", JOptionPane.INFORMATION_MESSAGE, ProgramIcon.large());
     }
 
     /** {@return which program this is, and on what it runs} */

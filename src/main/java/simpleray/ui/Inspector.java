@@ -8,6 +8,7 @@ import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.datatransfer.StringSelection;
 import java.awt.event.InputEvent;
+import java.awt.event.KeyEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.util.concurrent.CancellationException;
@@ -16,6 +17,7 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
+import javax.swing.JMenu;
 import javax.swing.JSplitPane;
 import javax.swing.SwingUtilities;
 import javax.swing.tree.DefaultMutableTreeNode;
@@ -97,6 +99,21 @@ final class Inspector {
         picture.setMark(this::paintCursor);
     }
 
+    /** {@return a menu about single pixels} */
+    JMenu menu() {
+        JMenu menu = new JMenu("Inspect");
+        menu.setMnemonic(KeyEvent.VK_I);
+        menu.add(KeyBindings.action("Story of the Pixel", "I", this::openStory));
+        menu.add(KeyBindings.action("Copy Story", "control shift I", this::copy));
+        menu.add(KeyBindings.action("Close Story", "shift I", this::closeStory));
+        menu.addSeparator();
+        menu.add(KeyBindings.action("Pixel Cursor Left", "alt LEFT", () -> move(-1, 0)));
+        menu.add(KeyBindings.action("Pixel Cursor Right", "alt RIGHT", () -> move(1, 0)));
+        menu.add(KeyBindings.action("Pixel Cursor Up", "alt UP", () -> move(0, -1)));
+        menu.add(KeyBindings.action("Pixel Cursor Down", "alt DOWN", () -> move(0, 1)));
+        return menu;
+    }
+
     /** {@return a component that shows another, and beside it the story while there is one} */
     Component beside(Component other) {
         beside.setLeftComponent(other);
@@ -134,7 +151,7 @@ final class Inspector {
     }
 
     /** Moves the pixel cursor. It begins under the mouse, or in the middle. */
-    void move(int dx, int dy) {
+    private void move(int dx, int dy) {
         if (shown != null) {
             Point from = start();
             setCursor(cursor == null ? from : new Point(from.x + dx, from.y + dy));
@@ -149,7 +166,7 @@ final class Inspector {
     }
 
     /** Opens the story of the pixel that the pixel cursor is on, for the keyboard. */
-    void openStory() {
+    private void openStory() {
         if (shown != null) {
             setCursor(start());
             tell(true);
@@ -157,7 +174,7 @@ final class Inspector {
     }
 
     /** Closes the story, and takes the pixel cursor away. */
-    void closeStory() {
+    private void closeStory() {
         cancelTelling();
         story = null;
         cursor = null;
@@ -168,7 +185,7 @@ final class Inspector {
     }
 
     /** Puts the story on the clipboard, as text. */
-    void copy() {
+    private void copy() {
         PixelStory told = story;
         if (told != null) {
             teller.execute(() -> {

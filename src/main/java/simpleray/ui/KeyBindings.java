@@ -3,33 +3,46 @@ package simpleray.ui;
 import java.awt.event.ActionEvent;
 import java.awt.event.KeyEvent;
 import javax.swing.AbstractAction;
+import javax.swing.Action;
 import javax.swing.JComponent;
 import javax.swing.KeyStroke;
 
-/** What fields for text have in common: keys that type something are theirs, though the window has them for shortcuts. */
+/** Makes actions and binds them to keys. */
 final class KeyBindings {
     private KeyBindings() {
     }
 
     /**
-     * {@return whether a key types a character} Swing offers a pressed key to the window's menus before it types anything: whoever has
-     * a text must say that it took the key.
+     * {@return whether a key types a character} Swing offers a pressed key to the window's menus before it types anything: a component with
+     * text must say that it took the key.
      */
     static boolean isCharacter(KeyEvent e) {
         boolean command = e.isMetaDown() || (e.isControlDown() || e.isAltDown()) && !e.isAltGraphDown();
         return !command && e.getKeyChar() != KeyEvent.CHAR_UNDEFINED && !Character.isISOControl(e.getKeyChar());
     }
 
-    /** Has a key do something wherever in a component the keys are. */
-    static void bind(JComponent component, int condition, String key, Runnable task) {
-        component.getInputMap(condition).put(KeyStroke.getKeyStroke(key), key);
-        component.getActionMap().put(key, new AbstractAction() {
+    /** {@return an action for a menu, with its key; null for none} */
+    static Action action(String name, String key, Runnable task) {
+        Action action = new AbstractAction(name) {
             private static final long serialVersionUID = 1L;
 
             @Override
             public void actionPerformed(ActionEvent e) {
                 task.run();
             }
-        });
+        };
+        action.putValue(Action.ACCELERATOR_KEY, key == null ? null : KeyStroke.getKeyStroke(key));
+        return action;
+    }
+
+    /** Binds a key to a task under a condition of {@link JComponent#getInputMap(int)}. */
+    static void bind(JComponent component, int condition, String key, Runnable task) {
+        bind(component, condition, key, action(key, null, task));
+    }
+
+    /** Binds a key to an action. */
+    static void bind(JComponent component, int condition, String key, Action action) {
+        component.getInputMap(condition).put(KeyStroke.getKeyStroke(key), action.getValue(Action.NAME));
+        component.getActionMap().put(action.getValue(Action.NAME), action);
     }
 }

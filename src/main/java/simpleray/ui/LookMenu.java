@@ -5,21 +5,24 @@ import java.awt.event.KeyEvent;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import javax.swing.ButtonGroup;
+import javax.swing.JFrame;
 import javax.swing.JMenu;
 import javax.swing.JRadioButtonMenuItem;
 import javax.swing.SwingUtilities;
 
 /** View &gt; Look: what is chosen is shown at once and remembered; the desktop's look is followed whenever the window gets the keys. */
 final class LookMenu {
-    private final ViewerFrame frame;
+    private final JFrame frame;
+    private final Runnable changed;                           // follows another look where Swing does not
     private final Preferences preferences;
     private final ButtonGroup one = new ButtonGroup();
     private final JMenu menu = new JMenu("Look");
     private Look look;
     private volatile Thread asking;                           // the desktop; null if nobody has
 
-    LookMenu(ViewerFrame frame, Preferences preferences, Look look) {
+    LookMenu(JFrame frame, Preferences preferences, Look look, Runnable changed) {
         this.frame = frame;
+        this.changed = changed;
         this.preferences = preferences;
         this.look = look;
         menu.setMnemonic(KeyEvent.VK_L);
@@ -92,7 +95,7 @@ final class LookMenu {
     private void install(boolean dark) {
         if (frame.isDisplayable() && dark != FlatLaf.isLafDark()) {
             Look.install(dark);
-            frame.lookChanged();
+            changed.run();
         }
     }
 }

@@ -10,6 +10,7 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.TimeUnit;
 import javax.swing.JFileChooser;
+import javax.swing.JFrame;
 import javax.swing.JOptionPane;
 import javax.swing.SwingUtilities;
 import javax.swing.filechooser.FileNameExtensionFilter;
@@ -18,13 +19,15 @@ import simpleray.image.png.PictureFile;
 
 /** Asks for a scene to open, and for a place to save the picture. */
 final class PictureDialogs {
-    private final ViewerFrame frame;
+    private final ViewerContext window;
+    private final JFrame frame;
     private final ExecutorService writer = Executors.newSingleThreadExecutor(task -> new Thread(task, "simpleray-saving"));
     private final Preferences preferences;
     private File folder;
 
-    PictureDialogs(ViewerFrame frame, Preferences preferences) {
-        this.frame = frame;
+    PictureDialogs(ViewerContext window, Preferences preferences) {
+        this.window = window;
+        frame = window.frame();
         this.preferences = preferences;
         Path last = preferences.folder();
         folder = last != null && Files.isDirectory(last) ? last.toFile() : new File("").getAbsoluteFile();
@@ -37,17 +40,17 @@ final class PictureDialogs {
             "scene", "txt", "png"));
         if (chooser.showOpenDialog(frame) == JFileChooser.APPROVE_OPTION) {
             stayIn(chooser.getCurrentDirectory());
-            frame.open(SceneSource.file(chooser.getSelectedFile().toPath()));
+            window.open(SceneSource.file(chooser.getSelectedFile().toPath()));
         }
     }
 
     /** Asks where, adds .png where it is missing, and asks before it overwrites. */
     void save() {
-        Picture picture = frame.picture().whole();
+        Picture picture = window.picture().whole();
         JFileChooser chooser = new JFileChooser(folder);
         chooser.setDialogTitle("Save Picture As");
         chooser.setFileFilter(new FileNameExtensionFilter("PNG pictures (*.png)", "png"));
-        chooser.setSelectedFile(new File(folder, pictureName(frame.picture().source())));
+        chooser.setSelectedFile(new File(folder, pictureName(window.picture().source())));
         while (chooser.showSaveDialog(frame) == JFileChooser.APPROVE_OPTION) {
             stayIn(chooser.getCurrentDirectory());
             File chosen = withExtension(chooser.getSelectedFile());
@@ -85,7 +88,7 @@ final class PictureDialogs {
             String failure = failure(picture, path);
             SwingUtilities.invokeLater(() -> {
                 if (failure == null) {
-                    frame.say("Saved " + path);
+                    window.say("Saved " + path);
                 } else {
                     JOptionPane.showMessageDialog(frame, path + "\n" + failure, "The picture was not saved", JOptionPane.ERROR_MESSAGE);
                 }

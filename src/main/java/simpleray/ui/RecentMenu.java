@@ -12,12 +12,12 @@ final class RecentMenu extends JMenu {
     private static final long serialVersionUID = 1L;
     private static final int LONGEST = 60;
 
-    private final transient ViewerFrame frame;
+    private final transient ViewerContext window;
     private final transient Preferences preferences;
 
-    RecentMenu(ViewerFrame frame, Preferences preferences) {
+    RecentMenu(ViewerContext window, Preferences preferences) {
         super("Open Recent");
-        this.frame = frame;
+        this.window = window;
         this.preferences = preferences;
         setMnemonic(KeyEvent.VK_R);
         refresh();
@@ -57,11 +57,11 @@ final class RecentMenu extends JMenu {
 
     private void open(Path file) {
         if (Files.exists(file)) {
-            frame.open(SceneSource.file(file));
+            window.open(SceneSource.file(file));
         } else {
             preferences.forget(file);
             refresh();
-            frame.say(file + " is not there any more");
+            window.say(file + " is not there any more");
         }
     }
 

@@ -16,7 +16,7 @@ final class SceneDocument {
     private static final String CONFLICT = "conflict";
     private static final String TEXT = "text";
 
-    private final ViewerFrame frame;
+    private final EditorContext window;
     private final SceneDisk disk = new SceneDisk();
     private SceneSource source = SceneSource.NONE;
     private SceneEditor editor;                               // null until it is asked for
@@ -28,8 +28,8 @@ final class SceneDocument {
     private SceneSource own;                                  // of the text that was rendered without saving it
     private String ownText;
 
-    SceneDocument(ViewerFrame frame) {
-        this.frame = frame;
+    SceneDocument(EditorContext window) {
+        this.window = window;
     }
 
     /** Takes another scene; the text of the one before is let go. */
@@ -67,9 +67,9 @@ final class SceneDocument {
     void toggle() {
         if (shown) {
             shown = false;
-            frame.banner().hide(TEXT);
-            frame.showBeside(null);
-            frame.picture().requestFocusInWindow();
+            window.banner().hide(TEXT);
+            window.showBeside(null);
+            window.picture().requestFocusInWindow();
         } else {
             show(() -> editor.area().requestFocusInWindow());
         }
@@ -86,7 +86,7 @@ final class SceneDocument {
         }
         if (!shown) {
             shown = true;
-            frame.showBeside(editor);
+            window.showBeside(editor);
         }
         if (saved == null) {
             read(then);
@@ -102,7 +102,7 @@ final class SceneDocument {
                 return;
             }
             if (answer.failure() != null || answer.bytes() == null && asked.path() == null) {
-                frame.banner().show(TEXT, answer.failure() != null ? answer.failure() : "This scene has no text");
+                window.banner().show(TEXT, answer.failure() != null ? answer.failure() : "This scene has no text");
                 return;
             }
             if (saved == null) {
@@ -111,7 +111,7 @@ final class SceneDocument {
                 editor.area().setEnabled(true);
                 refresh();
             }
-            markProblems(frame.picture().job());
+            markProblems(window.picture().job());
             then.run();
         });
     }
@@ -125,7 +125,7 @@ final class SceneDocument {
     /** Does what is to be done when the scene's file, or a mesh of it, has changed. */
     void fileChanged() {
         if (!changed) {
-            frame.reload(source);
+            window.reload(source);
         }
         if (saved == null) {
             return;
@@ -136,11 +136,11 @@ final class SceneDocument {
                 return;
             }
             if (answer.failure() != null || answer.bytes() == null) {
-                frame.say(answer.failure() == null ? "The text is the last one read" : answer.failure());
+                window.say(answer.failure() == null ? "The text is the last one read" : answer.failure());
             } else if (Arrays.equals(answer.bytes(), bytes)) {
                 resolve();
                 if (changed) {                                // then it was a mesh
-                    frame.reload(frame.picture().source());
+                    window.reload(window.picture().source());
                 }
             } else if (changed && !editor.holds(SceneText.of(answer.bytes()).text())) {
                 conflict(answer);
@@ -148,7 +148,7 @@ final class SceneDocument {
                 take(answer);
                 editor.area().replaceAll(saved.text());
                 refresh();
-                markProblems(frame.picture().job());
+                markProblems(window.picture().job());
             }
         });
     }
@@ -156,40 +156,45 @@ final class SceneDocument {
     /** Asks which text is to stay: the one in the editor or the file's. */
     private void conflict(SceneDisk.Answer answer) {
         other = answer;
-        Action reload = ViewerMenus.action("Reload", null, () -> {
+        Action reload = KeyBindings.action("Reload", null, () -> {
             take(other);
             editor.area().replaceAll(saved.text());           // what is lost by this can be undone
             refresh();
-            frame.reload(source);
+            window.reload(source);
         });
         reload.putValue(Action.MNEMONIC_KEY, (int) 'L');
         reload.putValue(Action.SHORT_DESCRIPTION, "Take the file's text; Undo brings yours back");
-        Action keep = ViewerMenus.action("Keep Mine", null, () -> {
+        Action keep = KeyBindings.action("Keep Mine", null, () -> {
             take(other);
             refresh();
             editor.area().requestFocusInWindow();
         });
         keep.putValue(Action.MNEMONIC_KEY, (int) 'K');
         keep.putValue(Action.SHORT_DESCRIPTION, "Go on with the text in the editor; Save Scene then writes it over the file's");
-        frame.banner().show(CONFLICT, name() + " was changed by another program, and has unsaved changes here", reload, keep);
+        window.banner().show(CONFLICT, name() + " was changed by another program, and has unsaved changes here", reload, keep);
     }
 
     private void resolve() {
         other = null;
-        frame.banner().hide(CONFLICT);
-        frame.banner().hide(TEXT);
+        window.banner().hide(CONFLICT);
+        window.banner().hide(TEXT);
     }
 
     /** Renders the text as it is, without saving it. */
     void render() {
         if (saved == null) {
-            frame.render();
+            window.picture().reload();
             return;
         }
         ownText = editor.text();
         byte[] text = ownText.getBytes(StandardCharsets.UTF_8);
         own = source.edited(text);
-        frame.render(own);
+        render(own);
+    }
+
+    private void render(SceneSource other) {
+        window.picture().setSource(other);
+        window.picture().reload();
     }
 
     /** {@return the text as it is in the editor; null if it was not read} */
@@ -225,24 +230,24 @@ final class SceneDocument {
         SceneSource asked = source;
         String text = editor.text();
         SceneText before = saved;
-        disk.write(source.path(), false, bytes, () -> before.bytes(text), frame::wroteScene, answer -> {
+        disk.write(source.path(), false, bytes, () -> before.bytes(text), window::wroteScene, answer -> {
             if (source != asked) {
                 return;
             }
             if (answer.other()) {
                 conflict(answer);
-                frame.say(name() + " was not saved");
+                window.say(name() + " was not saved");
             } else if (answer.failure() != null) {
-                SceneDialogs.failed(frame, source.path(), answer.failure());
+                SceneDialogs.failed(window.frame(), source.path(), answer.failure());
             } else {
                 take(answer);
                 refresh();
-                if (frame.picture().source() == own && text.equals(ownText)) {
-                    frame.picture().setSource(source);
-                    frame.desktop().saved(own, source);
-                    frame.say("Saved " + source.path());
+                if (window.picture().source() == own && text.equals(ownText)) {
+                    window.picture().setSource(source);
+                    window.saved(own, source);
+                    window.say("Saved " + source.path());
                 } else {
-                    frame.render(source);
+                    render(source);
                 }
                 then.run();
             }
@@ -251,7 +256,7 @@ final class SceneDocument {
 
     /** Asks where to write a scene that came by standard input. */
     private void saveElsewhere(Runnable then) {
-        Path path = SceneDialogs.target(frame);
+        Path path = SceneDialogs.target(window.frame());
         if (path == null) {
             return;
         }
@@ -259,10 +264,10 @@ final class SceneDocument {
         SceneText before = saved;
         disk.write(path, true, null, () -> before.bytes(text), () -> { }, answer -> {
             if (answer.failure() != null) {
-                SceneDialogs.failed(frame, path, answer.failure());
+                SceneDialogs.failed(window.frame(), path, answer.failure());
             } else {
                 changed = false;
-                frame.open(SceneSource.file(path, source.reach()));
+                window.open(SceneSource.file(path, source.reach()));
                 then.run();
             }
         });
@@ -274,7 +279,7 @@ final class SceneDocument {
             then.run();
             return;
         }
-        int answer = SceneDialogs.unsaved(frame, name());
+        int answer = SceneDialogs.unsaved(window.frame(), name());
         if (answer == SceneDialogs.SAVE) {
             save(then);
         } else if (answer == SceneDialogs.DISCARD) {
@@ -311,7 +316,7 @@ final class SceneDocument {
                 editor.goTo(problem.line(), problem.column());
                 return;
             }
-            frame.say("The problem is in " + problem.file() + ", line " + problem.line() + ", column " + problem.column());
+            window.say("The problem is in " + problem.file() + ", line " + problem.line() + ", column " + problem.column());
             int named = source.path() == null ? -1 : MeshNames.placeOf(problem.file(), editor.text(), source.path());
             if (named >= 0) {
                 editor.area().setCaretPosition(named);
@@ -331,7 +336,7 @@ final class SceneDocument {
 
     private void refresh() {
         changed = saved != null && !editor.holds(saved.text());
-        frame.refreshTitle();
+        window.refreshTitle();
     }
 
     /** Ends the editing; a text that is being written still is. */

@@ -11,10 +11,10 @@ import javax.swing.TransferHandler;
 final class SceneDrop extends TransferHandler {
     private static final long serialVersionUID = 1L;
 
-    private final transient ViewerFrame frame;
+    private final transient ViewerContext window;
 
-    SceneDrop(ViewerFrame frame) {
-        this.frame = frame;
+    SceneDrop(ViewerContext window) {
+        this.window = window;
     }
 
     @Override
@@ -37,16 +37,16 @@ final class SceneDrop extends TransferHandler {
             }
             File first = (File) files.get(0);
             if (first.isDirectory()) {
-                frame.say(first.getName() + " is a folder: drop a scene file");
+                window.say(first.getName() + " is a folder: drop a scene file");
                 return false;
             }
-            frame.open(SceneSource.file(first.toPath()));
+            window.open(SceneSource.file(first.toPath()));
             if (files.size() > 1) {
-                frame.say("Opened the first of " + files.size() + " files: " + first.getName());
+                window.say("Opened the first of " + files.size() + " files: " + first.getName());
             }
             return true;
         } catch (UnsupportedFlavorException | IOException e) {
-            frame.say("What was dropped cannot be read: " + e.getMessage());
+            window.say("What was dropped cannot be read: " + e.getMessage());
             return false;
         }
     }

@@ -13,15 +13,15 @@ final class SceneMenu {
     private final SceneDocument document;
     private final List<Action> all;
 
-    SceneMenu(ViewerFrame frame) {
-        document = frame.document();
+    SceneMenu(SceneDocument document, DiagnosticsPane problems) {
+        this.document = document;
         menu.setMnemonic(KeyEvent.VK_N);
-        text = new JCheckBoxMenuItem(ViewerMenus.action("Scene Text", "control E", document::toggle));
-        Action render = ViewerMenus.action("Render Text", "control ENTER", document::render);
-        Action save = ViewerMenus.action("Save Scene", "control shift S", document::save);
-        Action find = ViewerMenus.action("Find in Text\u2026", "control F", document::find);
-        Action next = ViewerMenus.action("Next Problem", "F4", () -> frame.stepProblem(1));
-        Action previous = ViewerMenus.action("Previous Problem", "shift F4", () -> frame.stepProblem(-1));
+        text = new JCheckBoxMenuItem(KeyBindings.action("Scene Text", "control E", document::toggle));
+        Action render = KeyBindings.action("Render Text", "control ENTER", document::render);
+        Action save = KeyBindings.action("Save Scene", "control shift S", document::save);
+        Action find = KeyBindings.action("Find in Text\u2026", "control F", document::find);
+        Action next = KeyBindings.action("Next Problem", "F4", () -> problems.step(1));
+        Action previous = KeyBindings.action("Previous Problem", "shift F4", () -> problems.step(-1));
         menu.add(render);
         menu.add(save);
         menu.addSeparator();

@@ -8,6 +8,7 @@ import javax.swing.BorderFactory;
 import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JDialog;
+import javax.swing.JFrame;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JTabbedPane;
@@ -22,7 +23,7 @@ final class ShortcutsDialog extends JDialog {
     private static final int[] WIDTHS = {100, 280, 200};
     private static final int MARGIN = 10;
 
-    ShortcutsDialog(ViewerFrame frame) {
+    ShortcutsDialog(JFrame frame) {
         super(frame, "Shortcuts", true);
         JTabbedPane pages = new JTabbedPane();
         pages.addTab("Keys", new JScrollPane(table("Keys", new String[] {"Menu", "Command", "Key"}, Shortcuts.of(frame.getJMenuBar()))));

@@ -84,6 +84,13 @@ public final class SimpleRay extends ZoomedComponent implements Runnable {
         begin(new RenderJob(source, request, regions.region(), regions.isAlone()), false);
     }
 
+    /** Reads the scene again and renders it; does nothing if there is none. */
+    void reload() {
+        if (source != SceneSource.NONE) {
+            start();
+        }
+    }
+
     /**
      * Renders the scene that was last read as is asked for now, by another camera for example. May be called as often as the mouse moves:
      * while the picture before is not yet seen, it waits for that a short time.

@@ -13,10 +13,9 @@ import javax.swing.JSplitPane;
 import javax.swing.SwingUtilities;
 import javax.swing.Timer;
 import simpleray.render.RenderRequest;
-import simpleray.render.Stage;
 
 /** The window: menus, the picture, problems of the scene if there are any, and a status bar. For the event thread, but for await. */
-final class ViewerFrame extends JFrame {
+final class ViewerFrame extends JFrame implements EditorContext {
     private static final long serialVersionUID = 1L;
     private static final int DIVIDER = 6;
     private static final double HALF = 0.5;
@@ -34,6 +33,7 @@ final class ViewerFrame extends JFrame {
     private final transient PictureDialogs dialogs;
     private final transient DesktopActions desktop;
     private final transient Inspector inspector;
+    private final transient Comparison comparison;
     private final transient ViewerMenus menus;
     private final transient CameraMenu camera;
     private final transient Runnable closed;
@@ -63,10 +63,10 @@ final class ViewerFrame extends JFrame {
         split.setDividerSize(0);                              // until there are problems to show
         inspector = new Inspector(picture, status::showPixel, status::say);
         dialogs = new PictureDialogs(this, preferences);
-        desktop = new DesktopActions(this, preferences, look);
-        menus = new ViewerMenus(this, dialogs, desktop);
-        camera = new CameraMenu(this);
-        menus.bar().add(camera.menu(), menus.bar().getMenuCount() - 1);   // Help stays the last
+        desktop = new DesktopActions(this, preferences, look, this::lookChanged);
+        comparison = new Comparison(this);
+        camera = new CameraMenu(this, document::text, document::replace);
+        menus = new ViewerMenus(picture, dialogs, desktop, new SceneMenu(document, problems), inspector, comparison, camera, this::close);
         setJMenuBar(menus.bar());
         add(banner, BorderLayout.NORTH);
         add(inspector.beside(split), BorderLayout.CENTER);
@@ -86,31 +86,31 @@ final class ViewerFrame extends JFrame {
         open(source);
     }
 
-    Inspector inspector() {
-        return inspector;
+    @Override
+    public JFrame frame() {
+        return this;
     }
 
-    SimpleRay picture() {
+    @Override
+    public SimpleRay picture() {
         return picture;
     }
 
-    DesktopActions desktop() {
-        return desktop;
+    @Override
+    public Banner banner() {
+        return banner;
     }
 
-    Banner banner() {
-        return banner;
+    Comparison comparison() {
+        return comparison;
     }
 
     SceneDocument document() {
         return document;
     }
 
-    /**
-     * Shows another scene, once nothing is lost by that. The picture of the one before stays until a first row is finished: the other
-     * may have errors.
-     */
-    void open(SceneSource source) {
+    @Override
+    public void open(SceneSource source) {
         document.leave(() -> {
             camera.forget();
             opened = source;
@@ -149,22 +149,23 @@ final class ViewerFrame extends JFrame {
         }
     }
 
-    /** Says that the scene's file is now as this program wrote it. Any thread may call. */
-    void wroteScene() {
+    @Override
+    public void wroteScene() {
         SceneWatcher current = watcher;
         if (current != null) {
             current.wrote();
         }
     }
 
-    void refreshTitle() {
+    @Override
+    public void refreshTitle() {
         String name = new File(opened.name()).getName();
         setTitle(name.isEmpty() ? "SimpleRay" : (document.isChanged() ? "*" : "") + name + " - SimpleRay");
         getRootPane().putClientProperty("Window.documentModified", document.isChanged());      // a Mac's own sign
     }
 
-    /** Shows something beside the picture; null for nothing. */
-    void showBeside(JComponent component) {
+    @Override
+    public void showBeside(JComponent component) {
         beside.setRightComponent(component);
         beside.setDividerSize(component == null ? 0 : DIVIDER);
         validate();
@@ -174,27 +175,8 @@ final class ViewerFrame extends JFrame {
         }
     }
 
-    /** Makes another picture of the document. */
-    void setStage(Stage stage) {
-        picture.setRequest(picture.request().with(stage));
-        render();
-    }
-
-    /** Reads the scene again and renders it. */
-    void render() {
-        if (picture.source() != SceneSource.NONE) {
-            picture.start();
-        }
-    }
-
-    /** Renders another text of the document. */
-    void render(SceneSource source) {
-        picture.setSource(source);
-        render();
-    }
-
-    /** Renders the scene as it was found on the disk. If it has errors, they are shown only if it does not change again at once. */
-    void reload(SceneSource source) {
+    @Override
+    public void reload(SceneSource source) {
         patience.stop();
         picture.setSource(source);
         doubting = true;
@@ -206,23 +188,24 @@ final class ViewerFrame extends JFrame {
         patience.setInitialDelay(milliseconds);
     }
 
-    /** Goes to the next problem, or to the one before. */
-    void stepProblem(int by) {
-        problems.step(by);
+    @Override
+    public void saved(SceneSource text, SceneSource file) {
+        desktop.saved(text, file);
     }
 
-    /** Shows how far the rendering is, in place of a message. */
-    void showProgress() {
+    @Override
+    public void showProgress() {
         if (picture.job() != null) {
             status.show(picture.job(), picture.job().snapshot(), picture.imageSize());
         }
     }
 
-    void say(String message) {
+    @Override
+    public void say(String message) {
         status.say(message);
     }
 
-    /** Follows a new look where Swing does not: in what is not shown just now. */
+    /** Follows another look where Swing does not: in what is not shown now. */
     void lookChanged() {
         SwingUtilities.updateComponentTreeUI(problems);
         if (document.editor() != null) {
@@ -243,6 +226,7 @@ final class ViewerFrame extends JFrame {
         }
         document.close();
         inspector.close();
+        comparison.close();
         desktop.close();
         dialogs.close();
         camera.close();
@@ -263,6 +247,7 @@ final class ViewerFrame extends JFrame {
         inspector.await();
         dialogs.await();
         camera.await();
+        comparison.await();
         desktop.await();
     }
 

@@ -1,15 +1,12 @@
 package simpleray.ui;
 
-import java.awt.event.ActionEvent;
 import java.awt.event.KeyEvent;
-import javax.swing.AbstractAction;
 import javax.swing.Action;
 import javax.swing.ButtonGroup;
 import javax.swing.JCheckBoxMenuItem;
 import javax.swing.JMenu;
 import javax.swing.JMenuBar;
 import javax.swing.JRadioButtonMenuItem;
-import javax.swing.KeyStroke;
 import simpleray.render.Stage;
 
 /** The window's menus and their keys. */
@@ -23,55 +20,58 @@ final class ViewerMenus {
     private final SimpleRay picture;
     private final SceneMenu scene;
     private final DesktopActions desktop;
+    private final Comparison comparison;
 
-    ViewerMenus(ViewerFrame frame, PictureDialogs dialogs, DesktopActions desktop) {
+    ViewerMenus(SimpleRay picture, PictureDialogs dialogs, DesktopActions desktop, SceneMenu scene, Inspector inspector,
+                Comparison comparison, CameraMenu camera, Runnable quit) {
+        this.picture = picture;
         this.desktop = desktop;
-        save = action("Save Picture As\u2026", "control S", dialogs::save);
-        picture = frame.picture();
-        render = action("Reload", "control R", frame::render);
+        this.scene = scene;
+        this.comparison = comparison;
+        save = KeyBindings.action("Save Picture As\u2026", "control S", dialogs::save);
+        render = KeyBindings.action("Reload", "control R", picture::reload);
         desktop.addKey(render, "F5");
-        pause = action("Pause", "SPACE", () -> picture.setPaused(!picture.isPaused()));
-        regionOnly = action("Region Only", "G", () -> picture.regions().setAlone(!picture.regions().isAlone()));
-        cancel = action("Cancel", "ESCAPE", () -> frame.picture().stop());
+        pause = KeyBindings.action("Pause", "SPACE", () -> picture.setPaused(!picture.isPaused()));
+        regionOnly = KeyBindings.action("Region Only", "G", () -> picture.regions().setAlone(!picture.regions().isAlone()));
+        cancel = KeyBindings.action("Cancel", "ESCAPE", picture::stop);
 
         JMenu file = menu("File", KeyEvent.VK_F);
-        file.add(action("Open\u2026", "control O", dialogs::open));
+        file.add(KeyBindings.action("Open\u2026", "control O", dialogs::open));
         desktop.addOpening(file);
         file.add(render);
         file.addSeparator();
         file.add(save);
         desktop.addCopying(file);
         file.addSeparator();
-        file.add(action("Quit", "control Q", frame::close));
+        file.add(KeyBindings.action("Quit", "control Q", quit));
 
         JMenu stage = menu("Stage", KeyEvent.VK_S);
         ButtonGroup one = new ButtonGroup();
-        addStage(stage, one, frame, Stage.ORIGINAL, "Original Scene", "1");
-        addStage(stage, one, frame, Stage.LIGHTING, "With Lighting", "2");
-        addStage(stage, one, frame, Stage.FINAL, "With Shadows and Reflections", "3");
+        addStage(stage, one, Stage.ORIGINAL, "Original Scene", "1");
+        addStage(stage, one, Stage.LIGHTING, "With Lighting", "2");
+        addStage(stage, one, Stage.FINAL, "With Shadows and Reflections", "3");
         stage.addSeparator();
-        addStage(stage, one, frame, Stage.AMBIENT, "Ambient Term", "A");
-        addStage(stage, one, frame, Stage.DIFFUSE, "Diffuse Term", "D");
-        addStage(stage, one, frame, Stage.SPECULAR, "Specular Term", "S");
+        addStage(stage, one, Stage.AMBIENT, "Ambient Term", "A");
+        addStage(stage, one, Stage.DIFFUSE, "Diffuse Term", "D");
+        addStage(stage, one, Stage.SPECULAR, "Specular Term", "S");
         stage.addSeparator();
-        addStage(stage, one, frame, Stage.NORMALS, "Normals", "N");
-        addStage(stage, one, frame, Stage.DEPTH, "Depth", "Z");
-        addStage(stage, one, frame, Stage.OBJECTS, "Object Numbers", "O");
-        addStage(stage, one, frame, Stage.BOUNCES, "Bounces of Rays", "R");
-        addStage(stage, one, frame, Stage.SHADOWS, "Shadows", "M");
+        addStage(stage, one, Stage.NORMALS, "Normals", "N");
+        addStage(stage, one, Stage.DEPTH, "Depth", "Z");
+        addStage(stage, one, Stage.OBJECTS, "Object Numbers", "O");
+        addStage(stage, one, Stage.BOUNCES, "Bounces of Rays", "R");
+        addStage(stage, one, Stage.SHADOWS, "Shadows", "M");
 
-        scene = new SceneMenu(frame);
         JMenu view = menu("View", KeyEvent.VK_V);
-        new ZoomTool(frame.picture()).addTo(view);
+        new ZoomTool(picture).addTo(view);
         view.addSeparator();
-        view.add(action("Region\u2026", "shift G", () -> picture.regions().ask()));
+        view.add(KeyBindings.action("Region\u2026", "shift G", () -> picture.regions().ask()));
         view.add(new JCheckBoxMenuItem(regionOnly));
         view.addSeparator();
         view.add(scene.text());
 
-        bar.add(InspectMenu.of(frame.inspector()));
+        bar.add(inspector.menu());
 
-        desktop.comparison().addTo(view);
+        comparison.addTo(view);
         view.addSeparator();
         view.add(desktop.lookMenu());
 
@@ -79,7 +79,8 @@ final class ViewerMenus {
         run.add(new JCheckBoxMenuItem(pause));
         run.add(cancel);
         bar.add(scene.menu());
-        bar.add(desktop.comparison().menu());
+        bar.add(comparison.menu());
+        bar.add(camera.menu());
         bar.add(desktop.helpMenu());
     }
 
@@ -96,6 +97,7 @@ final class ViewerMenus {
         pause.putValue(Action.SELECTED_KEY, picture.isPaused());
         regionOnly.putValue(Action.SELECTED_KEY, picture.regions().isAlone());
         this.scene.refresh(scene);
+        comparison.refresh();
         desktop.refresh();
     }
 
@@ -106,28 +108,13 @@ final class ViewerMenus {
         return menu;
     }
 
-    private void addStage(JMenu menu, ButtonGroup one, ViewerFrame frame, Stage stage, String name, String key) {
-        JRadioButtonMenuItem item = radio(one, action(name, key, () -> frame.setStage(stage)));
-        item.setSelected(frame.picture().request().stage() == stage);
+    private void addStage(JMenu menu, ButtonGroup one, Stage stage, String name, String key) {
+        JRadioButtonMenuItem item = new JRadioButtonMenuItem(KeyBindings.action(name, key, () -> {
+            picture.setRequest(picture.request().with(stage));
+            picture.reload();
+        }));
+        one.add(item);
+        item.setSelected(picture.request().stage() == stage);
         menu.add(item);
-    }
-
-    private static JRadioButtonMenuItem radio(ButtonGroup group, Action action) {
-        JRadioButtonMenuItem item = new JRadioButtonMenuItem(action);
-        group.add(item);
-        return item;
-    }
-
-    static Action action(String name, String key, Runnable task) {
-        Action action = new AbstractAction(name) {
-            private static final long serialVersionUID = 1L;
-
-            @Override
-            public void actionPerformed(ActionEvent e) {
-                task.run();
-            }
-        };
-        action.putValue(Action.ACCELERATOR_KEY, key == null ? null : KeyStroke.getKeyStroke(key));
-        return action;
     }
 }

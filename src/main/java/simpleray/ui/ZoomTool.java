@@ -1,14 +1,12 @@
 package simpleray.ui;
 
 import java.awt.Point;
-import java.awt.event.ActionEvent;
 import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
 import java.awt.event.InputEvent;
 import java.awt.event.MouseWheelEvent;
 import java.util.Locale;
 import java.util.function.Supplier;
-import javax.swing.AbstractAction;
 import javax.swing.Action;
 import javax.swing.ButtonGroup;
 import javax.swing.JComponent;
@@ -81,18 +79,9 @@ final class ZoomTool {
     }
 
     private Action action(String name, Supplier<Zoom> other, String... keys) {
-        Action action = new AbstractAction(name) {
-            private static final long serialVersionUID = 1L;
-
-            @Override
-            public void actionPerformed(ActionEvent e) {
-                picture.setZoom(other.get(), null);
-            }
-        };
-        action.putValue(Action.ACCELERATOR_KEY, KeyStroke.getKeyStroke(keys[0]));
+        Action action = KeyBindings.action(name, keys[0], () -> picture.setZoom(other.get(), null));
         for (int i = 1; i < keys.length; i++) {
-            picture.getInputMap(JComponent.WHEN_IN_FOCUSED_WINDOW).put(KeyStroke.getKeyStroke(keys[i]), name);
-            picture.getActionMap().put(name, action);
+            KeyBindings.bind(picture, JComponent.WHEN_IN_FOCUSED_WINDOW, keys[i], action);
         }
         return action;
     }

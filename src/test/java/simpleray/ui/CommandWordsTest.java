@@ -44,7 +44,7 @@ class CommandWordsTest {
         asked.samples = 2;
         try (OpenWindow window = new OpenWindow(SceneSource.file(scene), 90, 60,
                 frame -> frame.picture().setRequest(new RenderRequest(asked, Stage.FINAL, false, 2)))) {
-            OpenWindow.run(window.frame::render);
+            OpenWindow.run(window.picture()::reload);
             window.untilState(RenderJob.State.FINISHED);
             window.screen.press(KeyEvent.VK_2);
             Screen.until("the stage is shown", () -> window.job().request().stage() == Stage.LIGHTING

@@ -184,7 +184,7 @@ class CompareViewTest {
 
     /** Waits until so many pictures can be compared, the last of which is shown. */
     private void untilKept(int count) {
-        Screen.until(count + " pictures can be compared", () -> window.frame.desktop().comparison().pictures().size() == count);
+        Screen.until(count + " pictures can be compared", () -> window.frame.comparison().pictures().size() == count);
     }
 
     private void untilWiped(double divider) {

@@ -97,7 +97,7 @@ class ReachOfSourcesTest {
         Path other = Files.write(scene.resolveSibling("b.scene"), text);
         try (OpenWindow window = new OpenWindow(SceneSource.file(scene, Reach.ANYWHERE), 60, 60)) {
             window.untilState(RenderJob.State.FINISHED);
-            OpenWindow.run(window.frame::render);
+            OpenWindow.run(window.picture()::reload);
             window.untilState(RenderJob.State.FINISHED);
 
             OpenWindow.run(() -> window.frame.open(SceneSource.file(other)));

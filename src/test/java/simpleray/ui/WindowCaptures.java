@@ -153,7 +153,7 @@ final class WindowCaptures {
 
     private static void untilLatest(OpenWindow window, String stage) {
         Screen.until("the picture of " + stage + " is kept", () -> {
-            List<FinishedRender> kept = window.frame.desktop().comparison().pictures();
+            List<FinishedRender> kept = window.frame.comparison().pictures();
             return !window.picture().isBusy() && !kept.isEmpty() && kept.get(kept.size() - 1).toString().contains(", " + stage + ",");
         });
     }
