@@ -21,8 +21,8 @@ import simpleray.render.RenderRequest;
 final class Comparison {
     private final ViewerContext window;
     private final History history = new History();
-    private final Late<ComparePane> pane = new Late<>(this::newPane);
-    private final Late<HistogramPane> counted = new Late<>(this::newHistogram);
+    private final Lazy<ComparePane> pane = new Lazy<>(this::newPane);
+    private final Lazy<HistogramPane> counted = new Lazy<>(this::newHistogram);
     private final JMenu menu = new JMenu("Compare");
     private final JCheckBoxMenuItem beside = item("Side by Side", "B", this::changeMode);
     private final JCheckBoxMenuItem wipe = item("Wipe", "W", this::changeMode);

@@ -43,7 +43,7 @@ final class Inspector {
     private final SimpleRay picture;
     private final Consumer<String> hoverLine;
     private final Consumer<String> status;
-    private final Late<StoryPane> pane = new Late<>(() -> new StoryPane(this::copy, this::closeStory));
+    private final Lazy<StoryPane> pane = new Lazy<>(() -> new StoryPane(this::copy, this::closeStory));
     private final JSplitPane beside = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT);
     private final ExecutorService teller = Executors.newSingleThreadExecutor(task -> {
         Thread thread = new Thread(null, task, "simpleray-inspector", STACK);

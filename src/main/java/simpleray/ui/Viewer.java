@@ -51,8 +51,8 @@ public final class Viewer {
             SwingUtilities.invokeAndWait(() -> {
                 Look.install(dark);
                 frame.set(new ViewerFrame(source, request, preferences, look, closed::countDown));
-                if (Rehearsal.isAskedFor()) {
-                    Rehearsal.begin(frame.get());
+                if (CdsTrainingRun.isAskedFor()) {
+                    CdsTrainingRun.begin(frame.get());
                 } else {
                     frame.get().setVisible(true);
                 }

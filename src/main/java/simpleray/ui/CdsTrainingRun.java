@@ -5,22 +5,22 @@ import java.awt.Image;
 import javax.swing.Timer;
 
 /**
- * A start of the window that nobody sees, by which the script {@code simpleray} finds out the classes it needs: the window is made,
- * renders, is painted and closes.
+ * The training run for the archive of classes (class data sharing) that the script {@code simpleray} makes: a window that is not shown renders,
+ * is painted and closes, and so loads the classes that a window needs.
  */
-final class Rehearsal {
+final class CdsTrainingRun {
     /** The system property that asks for it. */
     static final String PROPERTY = "simpleray.rehearsal";
     private static final int LOOK = 20;                       // milliseconds
 
-    private Rehearsal() {
+    private CdsTrainingRun() {
     }
 
     static boolean isAskedFor() {
         return Boolean.getBoolean(PROPERTY);
     }
 
-    /** Closes a window that is not shown when its picture is there; for the event thread. */
+    /** Paints a window that is not shown once its picture is finished, and closes it. For the event thread. */
     static void begin(ViewerFrame frame) {
         Timer look = new Timer(LOOK, null);
         look.addActionListener(e -> {

@@ -4,15 +4,15 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 
 /**
- * A part of the window that is made when it is first needed: the window opens the sooner. For the event thread.
+ * A part of the window that is made when it is first needed, so that the window opens sooner. For the event thread.
  *
  * @param <T> the part
  */
-final class Late<T> {
+final class Lazy<T> {
     private final Supplier<T> maker;
     private T made;                                           // null until it is needed
 
-    Late(Supplier<T> maker) {
+    Lazy(Supplier<T> maker) {
         this.maker = maker;
     }
 
@@ -23,7 +23,7 @@ final class Late<T> {
         return made;
     }
 
-    /** Does something with it if it was made. */
+    /** Passes the part to a task, if it was made. */
     void ifMade(Consumer<T> task) {
         if (made != null) {
             task.accept(made);
