@@ -5,7 +5,11 @@ import java.io.IOException;
 import java.io.PrintStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Locale;
+import java.util.Map;
+import java.util.Set;
+import java.util.stream.Stream;
 import simpleray.render.Progress;
 import simpleray.render.RenderListener;
 
@@ -14,32 +18,35 @@ final class ProgressPrinter implements RenderListener {
     private static final int CELLS = 30;
     private static final long PAUSE = 100_000_000;            // between two states of the bar, in nanoseconds
     private static final int STEP = 10;                       // per cent between two plain lines
-    /** Clears the rest of a terminal's line. */
-    private static final String CLEAR = "\u001B[K";
+    private static final int FEWEST_CELLS = 8;                // of a bar that is worth its room
+    /** Clears a terminal's line from the cursor on, and what a narrower terminal has wrapped of it. */
+    private static final String CLEAR = "\u001B[J";
+    private static final Set<String> CANNOT = Set.of("", "dumb", "none", "unknown");
 
     private final Progress progress;
     private final PrintStream err;
     private final Style style;
+    private final TerminalWidth width = new TerminalWidth(System.getenv());
     private long shown;
     private int step;
 
     /** How progress is shown. */
     enum Style {
-        /** A bar on a terminal, nothing elsewhere. */
+        /** On a terminal a bar, or plain if it can show none; nothing elsewhere. */
         AUTO,
-        /** One line that changes, which only a terminal can show; plain elsewhere. */
+        /** One line that changes; plain where that cannot be shown. */
         BAR,
         /** A line for every tenth. */
         PLAIN,
         /** Not at all. */
         NONE;
 
-        private Style shown(boolean terminal) {
-            return switch (this) {
-                case AUTO -> terminal ? BAR : NONE;
-                case BAR -> terminal ? BAR : PLAIN;
-                default -> this;
-            };
+        /** {@return how it is shown where standard error is a terminal or is none} */
+        Style shown(boolean terminal, Map<String, String> environment) {
+            if (this == AUTO && !terminal) {
+                return NONE;
+            }
+            return this != AUTO && this != BAR ? this : terminal && movesCursor(environment) ? BAR : PLAIN;
         }
 
         @Override
@@ -51,7 +58,7 @@ final class ProgressPrinter implements RenderListener {
     ProgressPrinter(Progress progress, PrintStream err, Style style) {
         this.progress = progress;
         this.err = err;
-        this.style = style.shown(isTerminal());
+        this.style = style.shown(isTerminal(), System.getenv());
         shown = System.nanoTime();
     }
 
@@ -60,10 +67,12 @@ final class ProgressPrinter implements RenderListener {
         progress.rowFinished();
         long now = System.nanoTime();
         if (style == Style.BAR && now - shown >= PAUSE) {
-            shown = now;
-            int full = CELLS * progress.finished() / progress.rows();
-            err.print("\r[" + "#".repeat(full) + "-".repeat(CELLS - full) + "] " + state(now) + CLEAR);
-            err.flush();
+            int columns = width.columns();
+            if (columns > 0) {
+                shown = now;
+                err.print('\r' + bar(columns - 1, now) + CLEAR + '\r');   // a line that is full to the end might wrap
+                err.flush();
+            }
         } else if (style == Style.PLAIN && progress.percent() / STEP > step) {
             step = progress.percent() / STEP;
             err.println(state(now));
@@ -78,9 +87,34 @@ final class ProgressPrinter implements RenderListener {
         }
     }
 
+    /** {@return what there is room for of bar, share, time and rows} */
+    String bar(int room, long now) {
+        String share = share();
+        for (String text : List.of(state(now), share + left(now), share)) {
+            int cells = Math.min(CELLS, room - text.length() - "[] ".length());
+            if (cells >= FEWEST_CELLS) {
+                int full = (int) ((long) cells * progress.finished() / progress.rows());
+                return "[" + "#".repeat(full) + "-".repeat(cells - full) + "] " + text;
+            }
+        }
+        return Stream.of(share, share.replace(" ", "")).filter(text -> text.length() <= room).findFirst().orElse("");
+    }
+
     private String state(long now) {
-        return String.format(Locale.ROOT, "%3d %%, %d of %d rows, %s left",
-            progress.percent(), progress.finished(), progress.rows(), Progress.time(progress.left(now)));
+        return share() + ", " + progress.finished() + " of " + progress.rows() + " rows" + left(now);
+    }
+
+    private String share() {
+        return String.format(Locale.ROOT, "%3d %%", progress.percent());
+    }
+
+    private String left(long now) {
+        return ", " + Progress.time(progress.left(now)) + " left";
+    }
+
+    /** {@return whether a terminal is one whose cursor moves, and the user has not asked for plain text (no-color.org)} */
+    private static boolean movesCursor(Map<String, String> environment) {
+        return !CANNOT.contains(environment.getOrDefault("TERM", "")) && environment.getOrDefault("NO_COLOR", "").isEmpty();
     }
 
     /** {@return whether standard error is a terminal} Where the system does not tell, a console stands for it. */

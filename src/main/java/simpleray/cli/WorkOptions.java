@@ -21,7 +21,7 @@ final class WorkOptions {
 
     @Option(names = "--progress", paramLabel = "HOW", defaultValue = "auto",
         description = "${COMPLETION-CANDIDATES} (default: ${DEFAULT-VALUE}: a bar if standard error is a terminal, else "
-            + "none); without a terminal, bar is plain.")
+            + "none); without a terminal, with TERM=dumb, or with NO_COLOR, bar is plain.")
     private ProgressPrinter.Style progress = ProgressPrinter.Style.AUTO;
 
     @Option(names = {"-q", "--quiet"}, description = "Say nothing but errors.")

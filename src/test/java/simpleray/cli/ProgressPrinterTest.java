@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.BeforeEach;
@@ -14,10 +15,13 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import simpleray.render.Progress;
 
-/** Progress on a standard error that is no terminal, as it is for these processes. */
+/** Progress on a standard error that is no terminal, as it is for these processes; {@link TerminalTest} has those with one. */
 class ProgressPrinterTest {
     private static final String REPORT = "wall.png: 3x%d, 0.0 s";
+
+    private static final long LATER = 3723_000_000_000L;      // nanoseconds: an hour, two minutes and three seconds
 
     @TempDir
     Path folder;
@@ -47,6 +51,55 @@ class ProgressPrinterTest {
     @CsvSource({"auto", "none"})
     void noBarIsDrawnUnasked(String style) throws IOException, InterruptedException {
         assertThat(lines("40", style)).containsExactly(String.format(REPORT, 40));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"auto, xterm, '', bar", "auto, dumb, '', plain", "auto, none, '', plain", "auto, unknown, '', plain", "auto, '', '', plain",
+        "auto, xterm, 1, plain", "bar, screen-256color, '', bar", "bar, dumb, '', plain", "bar, xterm, 0, plain", "plain, xterm, '', plain",
+        "none, xterm, '', none", "none, dumb, 1, none"})
+    void aTerminalThatMovesNoCursorOrIsToBePlainHasLines(String style, String term, String noColor, String expected) {
+        assertThat(Values.constant(ProgressPrinter.Style.values(), style).shown(true, Map.of("TERM", term, "NO_COLOR", noColor)))
+            .hasToString(expected);
+    }
+
+    @Test
+    void aTerminalWithoutNameHasLines() {
+        assertThat(ProgressPrinter.Style.AUTO.shown(true, Map.of())).isEqualTo(ProgressPrinter.Style.PLAIN);
+        assertThat(ProgressPrinter.Style.AUTO.shown(false, Map.of())).isEqualTo(ProgressPrinter.Style.NONE);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"200, '[###############---------------]  50 %, 2000 of 4000 rows, 1:02:03 h left'",
+        "73, '[###############---------------]  50 %, 2000 of 4000 rows, 1:02:03 h left'",
+        "72, '[##############---------------]  50 %, 2000 of 4000 rows, 1:02:03 h left'",
+        "51, '[####----]  50 %, 2000 of 4000 rows, 1:02:03 h left'", "50, '[#############-------------]  50 %, 1:02:03 h left'",
+        "32, '[####----]  50 %, 1:02:03 h left'", "31, '[###########------------]  50 %'", "16, '[####----]  50 %'", "15, ' 50 %'",
+        "5, ' 50 %'", "4, '50%'", "3, '50%'", "2, ''", "1, ''", "0, ''"})
+    void theBarTakesTheRoomThatThereIs(int room, String expected) {
+        assertThat(half().bar(room, LATER)).isEqualTo(expected);
+    }
+
+    @Test
+    void theBarIsNeverLongerThanItsRoom() {
+        for (int room = 0; room < 100; room++) {
+            assertThat(half().bar(room, LATER)).hasSizeLessThanOrEqualTo(room);
+        }
+    }
+
+    @ParameterizedTest
+    @CsvSource({"24 80, '', 80", "'24 80\n', '', 80", "24 80, 40, 40", "24 30, 40, 30", "0 0, 40, 40",
+        "0 0, '', 80", "'', '', 80", "'', 1, 1", "24 1, wide, 1", "24 9999999999, 0, 80", "24 80, -5, 80", "nonsense, 99999999999, 80"})
+    void theWidthIsTheSmallerOfWhatIsKnownOfIt(String stty, String variable, int expected) {
+        assertThat(TerminalWidth.columns(stty, variable)).isEqualTo(expected);
+    }
+
+    /** {@return what shows half of a rendering of two hours} */
+    private static ProgressPrinter half() {
+        Progress progress = new Progress(4000, 0);
+        for (int i = 0; i < 2000; i++) {
+            progress.rowFinished();
+        }
+        return new ProgressPrinter(progress, System.err, ProgressPrinter.Style.NONE);
     }
 
     /** {@return the lines on standard error, every time as 0.0 s} */
