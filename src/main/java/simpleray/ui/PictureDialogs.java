@@ -34,7 +34,7 @@ final class PictureDialogs {
     }
 
     void open() {
-        JFileChooser chooser = new JFileChooser(folder);
+        JFileChooser chooser = new JFileChooser(sceneFolder());
         chooser.setDialogTitle("Open Scene");
         chooser.setFileFilter(new FileNameExtensionFilter("Scenes, and pictures that carry theirs (*.scene, *.txt, *.png)",
             "scene", "txt", "png"));
@@ -42,6 +42,16 @@ final class PictureDialogs {
             stayIn(chooser.getCurrentDirectory());
             window.open(SceneSource.file(chooser.getSelectedFile().toPath()));
         }
+    }
+
+    /** {@return the folder of the scene on the screen; of one that came by standard input the working folder, of none the last folder} */
+    private File sceneFolder() {
+        SceneSource source = frame.picture().source();
+        if (source == SceneSource.NONE) {
+            return folder;
+        }
+        Path path = source.path() == null ? Path.of("scene") : source.path();
+        return path.toAbsolutePath().getParent().toFile();
     }
 
     /** Asks where, adds .png where it is missing, and asks before it overwrites. */

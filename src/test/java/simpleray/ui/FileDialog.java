@@ -26,6 +26,12 @@ final class FileDialog {
         return OpenWindow.ask(name::getText);
     }
 
+    /** {@return the folder that it shows} */
+    Path folder() {
+        return OpenWindow.ask(() -> (JFileChooser)
+            SwingUtilities.getAncestorOfClass(JFileChooser.class, name)).getCurrentDirectory().toPath();
+    }
+
     /** Types the path of a file in place of what is there, and Enter. */
     void enter(Path path) {
         screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_A);
