@@ -22,7 +22,7 @@ import simpleray.render.OutOfMemory;
         "%nSCENE alone is short for: simpleray view SCENE. Without arguments an empty window opens."},
     exitCodeListHeading = "%nExit codes:%n",
     exitCodeList = {"0:done", "1:verify and compare: the pictures differ", "2:wrong usage", "65:the scene has errors",
-        "66:the scene cannot be read", "69:no display for a window", "70:internal error",
+        "66:the scene cannot be read", "69:no display for a window, or a Java without windows", "70:internal error",
         "71:too large for the memory", "73:the output cannot be created",
         "74:the output cannot be written", "75:output or checkpoint are being written by another run",
         "130:interrupted (Ctrl+C)", "143:told to stop (SIGTERM)"})
@@ -101,6 +101,10 @@ public final class Main implements Runnable {
         if (e instanceof OutOfMemoryError || OutOfMemory.isBehind(e)) {   // the first question loads no class
             err.println("simpleray: " + OutOfMemory.MESSAGE);
             return ExitCode.NO_MEMORY;
+        }
+        if (e instanceof LinkageError && !WindowSupport.hasModule()) {
+            err.println("simpleray: this Java lacks the module java.desktop, which is needed here: " + WindowSupport.INSTALL);
+            return ExitCode.NO_DISPLAY;
         }
         err.println("simpleray: internal error, which should not happen whatever the input: " + e);
         e.printStackTrace(err);

@@ -75,8 +75,9 @@ final class ViewCommand implements PlainCommand {
     @Override
     public Integer call() throws CommandException {
         RenderRequest request = picture.request(stage.stage(), Runtime.getRuntime().availableProcessors());
-        if (!Viewer.hasDisplay()) {
-            throw new CommandException(ExitCode.NO_DISPLAY, "simpleray: there is no display for a window; simpleray render works without one");
+        String fault = WindowSupport.fault();
+        if (fault != null) {
+            throw new CommandException(ExitCode.NO_DISPLAY, "simpleray: " + fault + "; simpleray render works without one");
         }
         Picture asked = request.renderer(new Scene()).picture();
         HeapCheck.require("a picture of " + asked.width() + 'x' + asked.height(),

@@ -14,12 +14,17 @@ public final class Viewer {
     private Viewer() {
     }
 
-    /** {@return whether there is a display on which a window can be opened} */
+    /**
+     * Looks for a display.
+     *
+     * @return whether there is one on which a window can be opened
+     * @throws LinkageError if Java lacks what it needs for windows
+     */
     public static boolean hasDisplay() {
         try {
             return !GraphicsEnvironment.isHeadless()
                 && GraphicsEnvironment.getLocalGraphicsEnvironment().getScreenDevices().length > 0;
-        } catch (AWTError | HeadlessException | LinkageError e) {   // no such display, or a Java without windows
+        } catch (AWTError | HeadlessException e) {    // no such display
             return false;
         }
     }
