@@ -45,6 +45,8 @@ final class PreferencesFile {
             String roaming = first(environment.apply("APPDATA"), null);
             return roaming != null ? Path.of(roaming) : home.resolve("AppData").resolve("Roaming");
         }
+        Path said = Path.of(first(environment.apply("HOME"), ""));
+        home = said.isAbsolute() ? said : home;               // Java's own is that of /etc/passwd
         if (system.startsWith("mac")) {
             return home.resolve("Library").resolve("Application Support");
         }

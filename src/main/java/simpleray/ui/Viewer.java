@@ -3,6 +3,7 @@ package simpleray.ui;
 import java.awt.AWTError;
 import java.awt.GraphicsEnvironment;
 import java.awt.HeadlessException;
+import java.io.File;
 import java.lang.reflect.InvocationTargetException;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicReference;
@@ -47,6 +48,7 @@ public final class Viewer {
      * @param asked the look; null for the one that was chosen last
      */
     public static void view(SceneSource source, RenderRequest request, Look asked) {
+        findHome();
         Preferences preferences = Preferences.load(PreferencesFile.find());
         Look look = asked == null ? preferences.look() : asked;
         boolean dark = look.isDark();
@@ -69,6 +71,14 @@ public final class Viewer {
             Thread.currentThread().interrupt();
         } catch (InvocationTargetException e) {
             throw new IllegalStateException("the window cannot be opened", e.getCause());
+        }
+    }
+
+    /** Has Java's fonts, which keep a list in the user's home, make no folder {@code ?} for a user who is not in {@code /etc/passwd}. */
+    private static void findHome() {
+        if (!new File(System.getProperty("user.home")).isAbsolute()) {
+            String home = System.getenv().getOrDefault("HOME", "");
+            System.setProperty("user.home", new File(home).isAbsolute() ? home : "/dev/null");
         }
     }
 }

@@ -40,6 +40,23 @@ class PreferencesFileTest {
         assertThat(found()).isEqualTo(Path.of(expected, "simpleray", "window.properties"));
     }
 
+    @ParameterizedTest
+    @CsvSource({"Linux, /srv/ada, /srv/ada/.config", "Mac OS X, /srv/ada, /srv/ada/Library/Application Support",
+        "Linux, relative, /home/ada/.config", "Linux, '', /home/ada/.config", "Windows 11, /srv/ada, /home/ada/AppData/Roaming"})
+    void theHomeIsThatOfTheVariable(String system, String value, String expected) {
+        properties.put("os.name", system);
+        environment.put("HOME", value);
+
+        assertThat(found()).isEqualTo(Path.of(expected, "simpleray", "window.properties"));
+    }
+
+    @Test
+    void xdgConfigHomeCountsBeforeTheVariableHome() {
+        environment.putAll(Map.of("HOME", "/srv/ada", "XDG_CONFIG_HOME", "/etc/ada"));
+
+        assertThat(found()).isEqualTo(Path.of("/etc/ada/simpleray/window.properties"));
+    }
+
     @Test
     void theUserMayNameAFileByAVariableOrAProperty() {
         environment.put("SIMPLERAY_PREFERENCES", "/tmp/by-variable");

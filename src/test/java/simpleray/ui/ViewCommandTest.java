@@ -4,8 +4,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.image.BufferedImage;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import simpleray.render.Stage;
 
 /** {@code java -jar simpleray.jar view}, as a program of its own. */
@@ -31,6 +33,19 @@ class ViewCommandTest {
         } finally {
             process.destroyForcibly();
         }
+    }
+
+    /** Java's fonts keep a list in the user's home, which is {@code ?} for a user who is not in /etc/passwd. */
+    @Test
+    void aUserWithoutAHomeGetsNoFolder(@TempDir Path folder) throws Exception {
+        ProcessBuilder builder = new ProcessBuilder(Path.of(System.getProperty("java.home"), "bin", "java").toString(), "-Duser.home=?",
+            "-Dsimpleray.rehearsal=true", "-jar", System.getProperty("simpleray.jar"), "view", TestScenes.THESIS.toString())
+            .directory(folder.toFile()).inheritIO();
+        builder.environment().keySet().removeAll(List.of("HOME", "XDG_CONFIG_HOME", "SIMPLERAY_PREFERENCES"));
+
+        assertThat(builder.start().waitFor()).isZero();
+
+        assertThat(folder).isEmptyDirectory();
     }
 
     /** {@return whether no large part of the screen is nearly white} */
