@@ -1,6 +1,7 @@
 package simpleray.accel;
 
 import java.util.Arrays;
+import java.util.function.Supplier;
 
 /**
  * Builds a tree of boxes from the top. A box is split where the surface area heuristic gives the lowest cost among a few places along its longest
@@ -42,11 +43,7 @@ final class BvhBuilder {
         BvhBuilder builder = new BvhBuilder(bounds);
         Subtree all = builder.new Subtree(pool);
         all.measure(bounds.count());
-        if (bounds.count() >= TASK) {
-            pool.run(new SubtreeTask(all, 0, 0, bounds.count(), 0));
-        } else {
-            all.build(0, 0, bounds.count(), 0);
-        }
+        all.build(0, 0, bounds.count(), 0);
         float[] packed = new float[builder.used(0)];
         builder.used = 0;
         builder.pack(0, packed);
@@ -105,31 +102,6 @@ final class BvhBuilder {
         float y = box[at + 4] - box[at + 1];
         float z = box[at + 5] - box[at + 2];
         return x * y + y * z + z * x;
-    }
-
-    /** Builds a subtree as a task. */
-    private static final class SubtreeTask extends Pool.Task<Void> {
-        private static final long serialVersionUID = 1L;
-        private final transient Subtree subtree;
-        private final int node;
-        private final int first;
-        private final int end;
-        private final int depth;
-
-        SubtreeTask(Subtree subtree, int node, int first, int end, int depth) {
-            super(subtree.pool);
-            this.subtree = subtree;
-            this.node = node;
-            this.first = first;
-            this.end = end;
-            this.depth = depth;
-        }
-
-        @Override
-        Void find() {
-            subtree.build(node, first, end, depth);
-            return null;
-        }
     }
 
     /** The working data of a thread that builds a subtree. */
@@ -195,21 +167,26 @@ final class BvhBuilder {
         /** Builds a node whose primitives are split, with the ranges of both parts at the next depth. */
         private void inner(int node, int first, int middle, int end, int depth) {
             int left = 2 * RANGE * (depth + 1);
-            SubtreeTask task = null;
+            Pool.Task<Subtree> task = null;
             if (middle - first >= TASK && end - middle >= TASK) {
                 Subtree other = new Subtree(pool);
                 System.arraycopy(ranges, left + RANGE, other.ranges, left, RANGE);
                 int place = node + Bvh.NODE * (middle - first);
                 box(node, 1, left + RANGE);
                 child(node, 1, place);
-                task = new SubtreeTask(other, place, middle, end, depth + 1);
-                task.fork();
+                task = pool.begin(new Supplier<>() {
+                    @Override
+                    public Subtree get() {
+                        other.build(place, middle, end, depth + 1);
+                        return other;
+                    }
+                });
             }
             part(node, 0, node + Bvh.NODE, first, middle, depth + 1);
             if (task == null) {
                 part(node, 1, node + Bvh.NODE * (middle - first), middle, end, depth + 1);
             } else {
-                task.join();
+                pool.await(task);
             }
         }
 

@@ -1,241 +1,186 @@
 package simpleray.accel;
 
-import java.util.concurrent.CancellationException;
-import java.util.concurrent.ForkJoinPool;
-import java.util.concurrent.RecursiveTask;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.Semaphore;
+import java.util.concurrent.ThreadFactory;
+import java.util.concurrent.ThreadPoolExecutor;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.Supplier;
 
 /**
- * Threads that make a scene ready. <em>Mutable</em>: one thread has it.
+ * The threads that compile a scene: the one that creates the pool, and others that help it. <em>Mutable</em>: tasks may begin and await others.
  *
- * <p>What is thrown on one of them is kept here, and thrown by what waits. The library makes objects to keep it in and to wait with; when
- * memory has come to its end it cannot, and would wait for ever.
+ * <p>A thread that awaits a task runs it, unless another thread already does, and a task that ends allocates nothing. So nothing waits for ever
+ * when memory runs out and threads die of it
+ * (docs/decisions/0016-threads-that-end-without-memory.md says why this is no ForkJoinPool).
  */
-public final class Pool implements AutoCloseable, Thread.UncaughtExceptionHandler {
+public final class Pool implements AutoCloseable {
     private static final int MAX_THREADS = 64;
-    /** So many things are worth a task of their own. */
+    /** The number of things that are worth a task of their own. */
     private static final int TASK = 1 << 15;
-    /** So many milliseconds are tasks waited for whose outcome nobody wants any more. */
-    private static final int PATIENCE = 2000;
+    /** How long to wait for tasks whose results nobody wants any more, in seconds. */
+    private static final int PATIENCE = 2;
 
-    private final int most;
-    private Throwable fault;                                  // what was thrown first
-    private int running;                                      // tasks
-    private boolean closed;
-    private ForkJoinPool threads;                             // null until they are needed: most scenes are small
+    private final int helpers;
+    private ThreadPoolExecutor threads;                       // null until the first task: most scenes are small
 
     /**
-     * Creates a pool; its threads are made when they are needed.
+     * Creates a pool; its threads start when they are needed.
      *
-     * @param threads how many there may be
+     * @param threads the most threads at work at a time, the caller's included
      */
     public Pool(int threads) {
-        most = Math.min(threads, MAX_THREADS);
+        helpers = Math.min(threads, MAX_THREADS) - 1;
     }
 
-    private ForkJoinPool threads() {
-        if (threads == null) {
-            threads = new ForkJoinPool(most, ForkJoinPool.defaultForkJoinWorkerThreadFactory, this, false);
-        }
-        return threads;
-    }
-
-    @Override
-    public void uncaughtException(Thread thread, Throwable thrown) {
-        note(thrown);
-    }
-
-    private synchronized void note(Throwable thrown) {
-        if (fault == null) {
-            fault = thrown;
-        }
-        notifyAll();
-    }
-
-    /** What is done with the things from one number to before another. */
+    /** Processes the things from one number to before another. */
     interface Work {
         void on(int from, int to);
     }
 
-    /**
-     * What is to be made.
-     *
-     * @param <T> its type
-     */
-    public interface Making<T> {
-        /** {@return the thing} */
-        T make();
-    }
-
-    /** Does something with the things 0 to count - 1, in parts of one or more. */
+    /** Processes the things 0 to count - 1, in one or more parts at a time. */
     void ranges(int count, Work work) {
-        if (count > TASK) {
-            run(new Part(this, 0, count, work));
-        } else if (count > 0) {
-            work.on(0, count);
+        List<Task<Work>> tasks = new ArrayList<>();
+        for (int from = TASK; from < count; from += TASK) {
+            int first = from;
+            tasks.add(begin(new Supplier<>() {
+                @Override
+                public Work get() {
+                    work.on(first, Math.min(first + TASK, count));
+                    return work;
+                }
+            }));
+        }
+        if (count > 0) {
+            work.on(0, Math.min(TASK, count));
+        }
+        for (Task<Work> task : tasks) {
+            await(task);
         }
     }
 
-    /** {@return what a task finds} */
-    <T> T run(Task<T> task) {
-        threads().execute(task);
-        return await(task);
-    }
-
     /**
-     * Begins to make something that is to be {@linkplain #await waited} for.
+     * Begins a task that is to be {@linkplain #await awaited}.
      *
-     * @param <T> its type
-     * @param making makes it, on one of the threads
-     * @return what is waited for
+     * @param <T> the type of its result
+     * @param making computes the result, on one of the threads
+     * @return the task
      */
-    public <T> Task<T> begin(Making<T> making) {
-        Task<T> task = new Task<>(this) {
-            private static final long serialVersionUID = 1L;
-
-            @Override
-            T find() {
-                return making.make();
+    public <T> Task<T> begin(Supplier<T> making) {
+        Task<T> task = new Task<>(making);
+        if (helpers > 0) {
+            try {
+                threads().execute(task);
+            } catch (OutOfMemoryError e) {                    // the system grants no more threads: the one that awaits the task runs it
+                return task;
             }
-        };
-        threads().execute(task);
+        }
         return task;
     }
 
-    /**
-     * Waits for a task that was begun. What is thrown on any of the threads is thrown here.
-     *
-     * @param <T> the type of what it makes
-     * @param task the task
-     * @return what it made
-     */
-    public <T> T await(Task<T> task) {
-        boolean interrupted = false;
-        Throwable thrown;
-        synchronized (this) {
-            while (!task.ended && fault == null) {
-                try {
-                    wait();
-                } catch (InterruptedException e) {            // the scene is made ready all the same
-                    interrupted = true;
-                }
-            }
-            thrown = fault;
+    private ThreadPoolExecutor threads() {
+        if (threads == null) {                                // no task has begun, so there is only this thread
+            threads = new ThreadPoolExecutor(helpers, helpers, PATIENCE, TimeUnit.SECONDS, new LinkedBlockingQueue<>(), new Helpers(),
+                new ThreadPoolExecutor.DiscardPolicy());
+            threads.allowCoreThreadTimeOut(true);
         }
-        if (interrupted) {
-            Thread.currentThread().interrupt();
-        }
-        if (thrown instanceof CancellationException) {        // a thread died, with tasks that others waited for, which may be noted first
-            throw new OutOfMemoryError("a thread that makes the scene ready has ended");
-        }
-        if (thrown instanceof Error error) {
-            throw error;
-        }
-        if (thrown instanceof RuntimeException exception) {
-            throw exception;
-        }
-        return task.found;
+        return threads;
     }
 
-    /** Ends the threads. If that is because of a fault, they may have to give back memory first. */
+    /**
+     * Returns the result of a task, which it runs or waits for. An interrupt is kept for later.
+     *
+     * @param <T> the type of the result
+     * @param task the task
+     * @return the result; what the task has thrown is thrown here
+     */
+    public <T> T await(Task<T> task) {
+        for (Runnable next = task; next != null && !task.hasEnded(); next = threads == null ? null : threads.getQueue().poll()) {
+            next.run();
+        }
+        return task.result();
+    }
+
+    /** Ends the threads. If a task has failed, others may have to give back their memory first. */
     @Override
     public void close() {
         if (threads == null) {
             return;
         }
+        threads.shutdownNow();
+        boolean interrupted = Thread.interrupted();
         try {
-            threads.shutdownNow();                            // nobody waits for what is not done
-        } catch (OutOfMemoryError e) {                        // they end by themselves when there is nothing to do
-            note(e);
-        }
-        boolean interrupted = false;
-        long end = System.nanoTime() + PATIENCE * 1_000_000L;
-        synchronized (this) {
-            closed = true;
-            for (long left = PATIENCE; running > 0 && left > 0; left = (end - System.nanoTime()) / 1_000_000) {
-                try {
-                    wait(left);
-                } catch (InterruptedException e) {
-                    interrupted = true;
-                }
-            }
+            threads.awaitTermination(PATIENCE, TimeUnit.SECONDS);
+        } catch (InterruptedException e) {
+            interrupted = true;
         }
         if (interrupted) {
             Thread.currentThread().interrupt();
         }
     }
 
-    /** {@return whether a task is still wanted} */
-    private synchronized boolean begins() {
-        boolean wanted = fault == null && !closed;
-        running += wanted ? 1 : 0;
-        return wanted;
-    }
-
-    private synchronized <T> void ends(Task<T> task, T found) {
-        task.found = found;
-        task.ended = true;
-        running--;
-        notifyAll();
-    }
-
     /**
-     * Finds something, on one of the threads.
+     * A result to come.
      *
      * @param <T> its type
      */
-    public abstract static class Task<T> extends RecursiveTask<T> {
-        private static final long serialVersionUID = 1L;
-        final transient Pool pool;
-        private transient T found;
-        private transient boolean ended;
+    public static final class Task<T> implements Runnable {
+        private final Supplier<T> making;
+        private final AtomicBoolean taken = new AtomicBoolean();
+        private final Semaphore ended = new Semaphore(0);
+        private T result;
+        private Throwable fault;
 
-        Task(Pool pool) {
-            this.pool = pool;
+        private Task(Supplier<T> making) {
+            this.making = making;
         }
 
-        /** {@return what is to be found} */
-        abstract T find();
-
-        /** {@return what is found; null once something was thrown} */
+        /** Computes the result, unless another thread has begun to. */
         @Override
-        protected final T compute() {
-            if (!pool.begins()) {
-                return null;
+        public void run() {
+            if (taken.compareAndSet(false, true)) {
+                try {
+                    result = making.get();
+                } catch (RuntimeException | Error e) {
+                    fault = e;
+                }
+                ended.release();
             }
-            T result = null;
-            try {
-                result = find();
-            } catch (RuntimeException | Error e) {
-                pool.note(e);
+        }
+
+        private boolean hasEnded() {
+            return ended.availablePermits() > 0;
+        }
+
+        private T result() {
+            ended.acquireUninterruptibly();
+            ended.release();
+            if (fault instanceof Error error) {
+                throw error;
             }
-            pool.ends(this, result);
+            if (fault instanceof RuntimeException exception) {
+                throw exception;
+            }
             return result;
         }
     }
 
-    /** Halves a range until it is small. */
-    private static final class Part extends Task<Void> {
-        private static final long serialVersionUID = 1L;
-        private final int from;
-        private final int to;
-        private final transient Work work;
-
-        Part(Pool pool, int from, int to, Work work) {
-            super(pool);
-            this.from = from;
-            this.to = to;
-            this.work = work;
+    /** Makes threads that die without a trace. */
+    private static final class Helpers implements ThreadFactory, Thread.UncaughtExceptionHandler {
+        @Override
+        public Thread newThread(Runnable work) {
+            Thread thread = new Thread(work, "simpleray-compiling");
+            thread.setDaemon(true);
+            thread.setUncaughtExceptionHandler(this);
+            return thread;
         }
 
         @Override
-        Void find() {
-            if (to - from <= TASK) {
-                work.on(from, to);
-            } else {
-                int middle = (from + to) >>> 1;
-                invokeAll(new Part(pool, from, middle, work), new Part(pool, middle, to, work));
-            }
-            return null;
+        public void uncaughtException(Thread thread, Throwable thrown) {
+            // there was no memory to look for the next task; the threads that await the tasks run them
         }
     }
 }

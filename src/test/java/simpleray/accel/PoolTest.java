@@ -3,7 +3,6 @@ package simpleray.accel;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import java.util.concurrent.CancellationException;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
@@ -61,52 +60,84 @@ class PoolTest {
         }
     }
 
-    @Test
-    void whatIsThrownInOneTaskIsThrownByWhoWaitsForAnother() {
+    @ParameterizedTest
+    @ValueSource(ints = {1, 2, 7})
+    void whatATaskThrowsIsThrownByTheThreadThatAwaitsIt(int threads) {
         IllegalStateException fault = new IllegalStateException("made up");
-        CountDownLatch thrown = new CountDownLatch(1);
 
-        try (Pool pool = new Pool(1)) {
-            pool.begin(() -> {
-                thrown.countDown();
+        try (Pool pool = new Pool(threads)) {
+            Pool.Task<String> faulty = pool.begin(() -> {
                 throw fault;
             });
-            Pool.Task<String> other = pool.begin(() -> "never waited for in vain");
+            Pool.Task<String> other = pool.begin(() -> "the other");
 
-            assertThatThrownBy(() -> {
-                thrown.await();
-                pool.await(other);
-                pool.await(pool.begin(() -> "nor this"));
-            }).isSameAs(fault);
+            assertThatThrownBy(() -> pool.await(faulty)).isSameAs(fault);
+            assertThat(pool.await(other)).isEqualTo("the other");
+            assertThatThrownBy(() -> pool.await(faulty)).isSameAs(fault);
         }
     }
 
-    /** As when there is no memory even to look for the next task. */
+    /** As when the threads have died, or never started, because there was no memory. */
     @Test
-    void theDeathOfAThreadIsNotWaitedOutInVain() {
-        OutOfMemoryError full = new OutOfMemoryError("made up");
+    void aTaskThatNoThreadTakesIsRunByTheThreadThatAwaitsIt() throws InterruptedException {
+        CountDownLatch atWork = new CountDownLatch(1);
 
         try (Pool pool = new Pool(2)) {
-            Pool.Task<Object> task = pool.begin(() -> {
-                Thread.currentThread().getUncaughtExceptionHandler().uncaughtException(Thread.currentThread(), full);
+            pool.begin(() -> {
+                atWork.countDown();
                 return never();
             });
+            atWork.await();
 
-            assertThatThrownBy(() -> pool.await(task)).isSameAs(full);
+            assertThat(pool.await(pool.begin(Thread::currentThread))).isSameAs(Thread.currentThread());
         }
     }
 
-    /** So the library tells those who wait for what a thread had taken when it died. */
     @Test
-    void aTaskThatWentWithItsThreadIsAWantOfMemory() {
+    void aThreadThatAwaitsATaskRunsOthersMeanwhile() {
+        CountDownLatch done = new CountDownLatch(1);
+
         try (Pool pool = new Pool(2)) {
-            Pool.Task<Object> task = pool.begin(() -> {
-                throw new CancellationException();
+            CountDownLatch atWork = new CountDownLatch(1);
+            Pool.Task<Boolean> first = pool.begin(() -> {
+                atWork.countDown();
+                return arrives(done);
+            });
+            assertThat(arrives(atWork)).isTrue();
+            Pool.Task<Thread> second = pool.begin(() -> {
+                done.countDown();
+                return Thread.currentThread();
             });
 
-            assertThatThrownBy(() -> pool.await(task)).isInstanceOf(OutOfMemoryError.class)
-                .hasMessage("a thread that makes the scene ready has ended");
+            assertThat(pool.await(first)).isTrue();
+            assertThat(pool.await(second)).isSameAs(Thread.currentThread());
         }
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {1, 2, 7})
+    void tasksMayBeginTasks(int threads) {
+        try (Pool pool = new Pool(threads)) {
+            assertThat(sum(pool, 0, 1000)).isEqualTo(499_500);
+        }
+    }
+
+    private static int sum(Pool pool, int from, int to) {
+        if (to - from == 1) {
+            return from;
+        }
+        int middle = (from + to) / 2;
+        Pool.Task<Integer> high = pool.begin(() -> sum(pool, middle, to));
+        return sum(pool, from, middle) + pool.await(high);
+    }
+
+    @Test
+    void aTaskThatIsAwaitedAfterTheEndIsRunAllTheSame() {
+        Pool pool = new Pool(2);
+        pool.await(pool.begin(() -> "first"));
+        pool.close();
+
+        assertThat(pool.await(pool.begin(() -> "second"))).isEqualTo("second");
     }
 
     /** Lest the memory be still short when the end of it is to be told. */
@@ -142,6 +173,14 @@ class PoolTest {
 
             assertThat(pool.await(pool.begin(() -> "done"))).isEqualTo("done");
             assertThat(Thread.interrupted()).isTrue();
+        }
+    }
+
+    private static boolean arrives(CountDownLatch latch) {
+        try {
+            return latch.await(1, TimeUnit.MINUTES);
+        } catch (InterruptedException e) {
+            return false;
         }
     }
 
