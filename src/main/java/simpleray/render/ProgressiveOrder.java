@@ -4,22 +4,26 @@ import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
+import java.util.concurrent.Semaphore;
+import java.util.concurrent.atomic.AtomicInteger;
 
 /**
  * Hands out a picture in passes: a pixel of each block of 8 × 8 first, then those that are missing of 4 × 4, 2 × 2 and all, so that the
  * whole is seen early and no pixel is traced twice. One region may come before the rest, or alone. Where pixels are sampled by what
  * their neighbours are, previews of all come first. <em>Mutable</em>; any thread may call.
  */
-final class ProgressiveOrder extends Hold {
+final class ProgressiveOrder {
     private static final int COARSEST = 8;
+    /** More than there are threads. */
+    private static final int MAX_OPEN = 1 << 16;
 
     private final List<Pass> passes = new ArrayList<>();
     private final Deque<PixelRun> cut = new ArrayDeque<>();   // the runs of a row that are to be handed out next
     private int pass;
     private int row;                                          // of the pass, 0 for its first
-    private int open;                                         // runs that are handed out and not finished
-    private int coarse;                                       // runs of the first pass that are not finished
-    private boolean stopped;
+    private final Semaphore open = new Semaphore(MAX_OPEN);   // each run that is handed out and not finished has a permit
+    private final AtomicInteger coarse = new AtomicInteger(); // runs of the first pass that are not finished
+    private volatile boolean stopped;
 
     /**
      * A walk over an area.
@@ -73,7 +77,7 @@ final class ProgressiveOrder extends Hold {
             plan(all, first, previews ? all : null, first == null ? null : first.grown(width, height));
         }
         for (int k = 0; k < passes.get(0).count(); k++) {
-            coarse += passes.get(0).runs(k).size();
+            coarse.addAndGet(passes.get(0).runs(k).size());
         }
     }
 
@@ -91,25 +95,22 @@ final class ProgressiveOrder extends Hold {
     synchronized PixelRun next() {
         while (!stopped && (!cut.isEmpty() || pass < passes.size())) {
             if (!cut.isEmpty()) {
-                open++;
+                open.acquireUninterruptibly();
                 return cut.poll();
             }
             Pass current = passes.get(pass);
             if (row == current.count()) {
                 pass++;
                 row = 0;
-            } else if (holds()) {
-                untilFree();
             } else {
+                if (row == 0 && current.after()) {
+                    open.acquireUninterruptibly(MAX_OPEN);
+                    open.release(MAX_OPEN);
+                }
                 cut.addAll(current.runs(row++));
             }
         }
         return null;
-    }
-
-    @Override
-    synchronized boolean holds() {
-        return !stopped && cut.isEmpty() && pass < passes.size() && row == 0 && passes.get(pass).after() && open > 0;
     }
 
     /**
@@ -117,16 +118,16 @@ final class ProgressiveOrder extends Hold {
      *
      * @return whether it was the last of the first pass
      */
-    synchronized boolean finished(PixelRun run) {
-        if (--open == 0) {
-            notifyAll();
-        }
-        return run.size() == COARSEST && coarse > 0 && --coarse == 0;
+    boolean finished(PixelRun run) {
+        open.release();
+        return run.size() == COARSEST && coarse.decrementAndGet() == 0;
     }
 
     /** Hands out nothing more. */
-    synchronized void stop() {
-        stopped = true;
-        notifyAll();
+    void stop() {
+        if (!stopped) {
+            stopped = true;
+            open.release(MAX_OPEN);                           // for a thread that waits
+        }
     }
 }

@@ -1,5 +1,6 @@
 package simpleray.render;
 
+import java.util.concurrent.Semaphore;
 import java.util.concurrent.atomic.AtomicIntegerArray;
 import java.util.concurrent.atomic.AtomicReferenceArray;
 import java.util.function.Function;
@@ -11,7 +12,6 @@ final class ProgressiveRenderer {
     private final Picture picture;
     private final PassListener listener;
     private final ProgressiveOrder passes;
-    private final Pause pause = new Pause();
     private final double[][] previews;                        // null if no pixel is sampled by what its neighbours are
     private final AtomicReferenceArray<double[]> rows;        // as far as they are traced
     private final AtomicIntegerArray missing;                 // pixels of each row
@@ -19,6 +19,7 @@ final class ProgressiveRenderer {
     private final AtomicReferenceArray<Throwable> unseen;     // of each row of previews
     private final boolean wholeRows;
     private volatile boolean stopped;
+    private volatile Semaphore pause;                         // without permits; null unless it is paused
 
     /**
      * Plans the work.
@@ -45,15 +46,27 @@ final class ProgressiveRenderer {
         unseen = new AtomicReferenceArray<>(height);
     }
 
-    /** Ends the work within a pixel, also if it is held. */
-    void stop() {
+    /** Ends the work within the time of a pixel, also if it is paused. */
+    synchronized void stop() {
         stopped = true;
         passes.stop();
-        pause.set(false);
+        setPaused(false);
     }
 
-    void setPaused(boolean held) {
-        pause.set(held && !stopped);
+    /** Pauses the work within the time of a pixel, or resumes it. */
+    synchronized void setPaused(boolean paused) {
+        Semaphore before = pause;
+        pause = paused && !stopped ? new Semaphore(0) : null;
+        if (before != null) {
+            before.release();
+        }
+    }
+
+    private void awaitResumed() {
+        for (Semaphore current = pause; current != null; current = pause) {
+            current.acquireUninterruptibly();
+            current.release();                                // for the next thread
+        }
     }
 
     /**
@@ -144,7 +157,7 @@ final class ProgressiveRenderer {
         Colour colour = new Colour();
         int i = 0;
         for (int x = run.x(); x < run.end() && !stopped; x += run.step()) {
-            pause.await();
+            awaitResumed();
             sampler.find(x, run.y(), colour);
             rgb[i++] = colour.r;
             rgb[i++] = colour.g;

@@ -40,7 +40,7 @@ public final class Renderer {
     private final PreparedScene prepared;                     // null if it is to be made ready for this rendering alone
     private final Region region;                              // the piece of what the camera sees that the picture has
     private final Picture picture;
-    private final Rows rows;
+    private final ScanlineQueue rows;
     private volatile Throwable fault;                         // what a thread threw: the first; if two come at once, either
     private volatile boolean cancelled;
     private final Map<Integer, double[]> early = new ConcurrentHashMap<>();   // rows that were rendered before their turn
@@ -72,7 +72,7 @@ public final class Renderer {
         region.requireWithin(camera.width(), camera.height());
         firstPoints = settings.samples() == RenderSettings.ADAPTIVE ? AdaptiveSampler.rows(camera.height(), settings.threads()) : null;
         picture = new Picture(region.width(), region.height());
-        rows = new Rows(picture.height(), settings.threads());
+        rows = new ScanlineQueue(picture.height(), settings.threads());
     }
 
     /** {@return the picture; its rows are set one by one while it is rendered} */
@@ -105,7 +105,7 @@ public final class Renderer {
 
     /** {@return how many rows are begun at most, of which the first is not finished} */
     public int rowsAhead() {
-        return Math.min(Rows.ahead(settings.threads()), picture.height());
+        return Math.min(ScanlineQueue.ahead(settings.threads()), picture.height());
     }
 
     /** {@return the memory that rendering takes at most, in bytes, if the listener lets go of each row} */

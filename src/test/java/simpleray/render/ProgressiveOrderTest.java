@@ -2,11 +2,14 @@ package simpleray.render;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.concurrent.CompletableFuture;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /** The order in which a picture is rendered for a window. */
+@Timeout(value = 60, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 class ProgressiveOrderTest {
     @ParameterizedTest
     @CsvSource({"1, 1", "8, 8", "9, 7", "40, 17", "3, 100"})
@@ -100,6 +103,30 @@ class ProgressiveOrderTest {
         passes.stop();
 
         assertThat(passes.next()).isNull();
+    }
+
+    @Test
+    void aPassThatNeedsPreviewsWaitsUntilAllAreFinished() throws Exception {
+        ProgressiveOrder passes = new ProgressiveOrder(1, 1, null, false, true);
+        PixelRun preview = passes.next();
+        CompletableFuture<PixelRun> next = ScanlineQueueTest.waiting(passes::next);
+        assertThat(next).isNotDone();
+
+        passes.finished(preview);
+
+        assertThat(next.get()).isEqualTo(new PixelRun(0, 0, 1, 1, 1, false));
+    }
+
+    @Test
+    void toStopEndsTheWaiting() throws Exception {
+        ProgressiveOrder passes = new ProgressiveOrder(1, 1, null, false, true);
+        passes.next();
+        CompletableFuture<PixelRun> next = ScanlineQueueTest.waiting(passes::next);
+
+        passes.stop();
+        passes.stop();
+
+        assertThat(next.get()).isNull();
     }
 
     private static int[] times(ProgressiveOrder passes, int width, int height) {

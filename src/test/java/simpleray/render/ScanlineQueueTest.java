@@ -5,43 +5,44 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
+import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 @Timeout(value = 60, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
-class RowsTest {
+class ScanlineQueueTest {
     @Test
     void rowsAreHandedOutFromTheTopEachOnce() {
-        Rows rows = new Rows(5, 1);
+        ScanlineQueue rows = new ScanlineQueue(5, 1);
 
         assertThat(next(rows, 7)).containsExactly(0, 1, 2, 3, 4, -1, -1);
     }
 
     @Test
     void noRowIsBegunFarBelowOneThatIsNotFinished() throws Exception {
-        Rows rows = new Rows(1000, 2);
+        ScanlineQueue rows = new ScanlineQueue(1000, 2);
         assertThat(next(rows, 256)).isEqualTo(IntStream.range(0, 256).boxed().collect(Collectors.toList()));
         for (int y = 1; y < 200; y++) {
             rows.finished(y);                                 // all but the first
         }
-        CompletableFuture<Integer> waiting = waiting(rows);
+        CompletableFuture<Integer> waiting = waiting(rows::next);
         assertThat(waiting).isNotDone();
 
         rows.finished(0);
 
         assertThat(waiting.get()).isEqualTo(256);
         assertThat(next(rows, 199)).hasSize(199).endsWith(455);   // 200 are finished: up to 200 + 256
-        assertThat(waiting(rows)).isNotDone();
+        assertThat(waiting(rows::next)).isNotDone();
         rows.stop();
     }
 
     @Test
     void toStopEndsTheWaiting() throws Exception {
-        Rows rows = new Rows(1000, 2);
+        ScanlineQueue rows = new ScanlineQueue(1000, 2);
         next(rows, 256);
-        CompletableFuture<Integer> waiting = waiting(rows);
+        CompletableFuture<Integer> waiting = waiting(rows::next);
 
         rows.stop();
 
@@ -51,7 +52,7 @@ class RowsTest {
 
     @Test
     void afterTheLastRowNobodyWaits() {
-        Rows rows = new Rows(256, 2);
+        ScanlineQueue rows = new ScanlineQueue(256, 2);
         next(rows, 256);
 
         assertThat(rows.next()).isEqualTo(-1);
@@ -59,15 +60,15 @@ class RowsTest {
 
     @Test
     void manyThreadsMayBeginMoreRows() {
-        assertThat(Rows.ahead(1)).isEqualTo(256);
-        assertThat(Rows.ahead(64)).isEqualTo(256);
-        assertThat(Rows.ahead(1024)).isEqualTo(4096);
+        assertThat(ScanlineQueue.ahead(1)).isEqualTo(256);
+        assertThat(ScanlineQueue.ahead(64)).isEqualTo(256);
+        assertThat(ScanlineQueue.ahead(1024)).isEqualTo(4096);
     }
 
-    /** {@return the next row, once there is one, from a thread that waits for it by now} */
-    private static CompletableFuture<Integer> waiting(Rows rows) throws InterruptedException {
-        CompletableFuture<Integer> next = new CompletableFuture<>();
-        Thread thread = new Thread(() -> next.complete(rows.next()));
+    /** {@return a result to come, from a thread that waits for it by now} */
+    static <T> CompletableFuture<T> waiting(Supplier<T> source) throws InterruptedException {
+        CompletableFuture<T> next = new CompletableFuture<>();
+        Thread thread = new Thread(() -> next.complete(source.get()));
         thread.setDaemon(true);
         thread.start();
         while (thread.getState() != Thread.State.WAITING && thread.isAlive()) {
@@ -76,7 +77,7 @@ class RowsTest {
         return next;
     }
 
-    private static List<Integer> next(Rows rows, int count) {
+    private static List<Integer> next(ScanlineQueue rows, int count) {
         List<Integer> next = new ArrayList<>();
         for (int i = 0; i < count; i++) {
             next.add(rows.next());
