@@ -265,8 +265,15 @@ public final class Renderer {
                 numbers[count++] = y;
             }
         }
-        double[][] lights = new double[count][3 * picture.width()];
-        render(numbers, lights, JUMP, own);
+        int width = picture.width();
+        double[][] lights = new double[count][3 * width];
+        Colour colour = new Colour();
+        for (int i = 0; i < width; i++) {
+            int x = (int) ((long) i * JUMP % width);
+            for (int k = 0; k < count && !cancelled; k++) {
+                render(x, numbers[k], lights[k], own, colour);
+            }
+        }
         for (int k = 0; k < count && !cancelled; k++) {
             early.put(numbers[k], lights[k]);
         }
@@ -302,40 +309,37 @@ public final class Renderer {
     private void work(Tracers tracers, RenderListener listener) {
         Sampler own = sampler(tracers.tracer(false));
         renderEarly(own);
-        int[] number = {0};
-        double[][] light = new double[1][];
+        double[] spare = null;                                // a row that was let go of
         for (int y = rows.next(); y >= 0 && !cancelled; y = rows.next()) {
             double[] row = kept(y);
             boolean isNew = row == null;
             if (isNew) {
-                row = light[0] == null ? new double[3 * picture.width()] : light[0];
-                number[0] = y;
-                light[0] = row;
-                render(number, light, 1, own);
+                row = spare == null ? new double[3 * picture.width()] : spare;
+                spare = row;
+                render(y, row, own);
             }
             if (!cancelled) {
                 picture.setRow(y, row);
                 listener.rowFinished(y);
                 rows.finished(y);
                 if (isNew && picture.row(y) != null) {
-                    light[0] = null;                          // else it was let go of, and holds the next row
+                    spare = null;
                 }
             }
         }
     }
 
-    /** Renders rows side by side, columns in steps of some size, round and round. */
-    private void render(int[] numbers, double[][] lights, int step, Sampler own) {
+    private void render(int y, double[] light, Sampler own) {
         Colour colour = new Colour();
-        int width = picture.width();
-        for (int i = 0; i < width; i++) {
-            int x = (int) ((long) i * step % width);
-            for (int k = 0; k < lights.length && !cancelled; k++) {
-                own.pixel(region.x() + x, region.y() + numbers[k], colour);
-                lights[k][3 * x] = colour.r;
-                lights[k][3 * x + 1] = colour.g;
-                lights[k][3 * x + 2] = colour.b;
-            }
+        for (int x = 0; x < picture.width() && !cancelled; x++) {
+            render(x, y, light, own, colour);
         }
+    }
+
+    private void render(int x, int y, double[] light, Sampler own, Colour colour) {
+        own.pixel(region.x() + x, region.y() + y, colour);
+        light[3 * x] = colour.r;
+        light[3 * x + 1] = colour.g;
+        light[3 * x + 2] = colour.b;
     }
 }
