@@ -2,11 +2,11 @@ package simpleray.render;
 
 import java.util.Locale;
 
-/** How the nearest object along a ray is found. The picture is the same. */
+/** The way to find the nearest object along a ray. It does not change the picture. */
 public enum Accel {
-    /** By a tree of boxes and lists of what lies in each direction. */
+    /** By a tree or a grid, and light buffers. */
     AUTO,
-    /** By asking all objects in turn, as the thesis does. */
+    /** By testing all objects in turn, as the thesis does. */
     NONE;
 
     /** {@return the name as the command line has it, in lower case} */

@@ -5,26 +5,26 @@ import java.util.stream.DoubleStream;
 import simpleray.math.Colour;
 
 /**
- * Four by four points where a pixel shows an edge, one elsewhere (Whitted 1980: more rays where their colours differ). Each pixel has
- * first one of its sixteen points traced; where that differs from one of the eight neighbours' by more than a few levels, the other fifteen
- * are too. Whether they do depends on the scene alone, so that the picture does not depend on the order of rows.
+ * Samples four by four points of a pixel at an edge, and one of others (Whitted 1980: more rays where colours differ). First one of a pixel's
+ * sixteen points is traced; if its colour differs from that of one of the eight neighbours by more than a few levels, the other fifteen are
+ * traced, too. This depends on the scene alone, so the picture does not depend on the order of rows.
  */
 final class AdaptiveSampler implements Sampler {
     private static final int SIDE = 4;
-    /** A difference of a component that two neighbours may have without being taken for an edge. */
+    /** The largest difference of a component between two neighbours that does not count as an edge. */
     private static final double SAME = 24.0 / 255;
-    /** First points are kept of so many rows, which is more than threads that go side by side look at. Others are found again. */
+    /** The number of rows whose first points are kept: more than threads that work side by side need. Others are traced again. */
     private static final int ROWS = 8;
     private static final int ROWS_A_THREAD = 2;
     private static final int NONE = -1;
 
     private final Tracer tracer;
-    private final int left;                                   // the columns whose first points are found
+    private final int left;                                   // the columns whose first points are traced
     private final int right;
     private final int height;
-    private final AtomicReferenceArray<Row> first;            // shared with all other threads; null if all are found already
+    private final AtomicReferenceArray<Row> first;            // shared by all threads; null if all are traced already
     private final double[][] found;
-    private final double[][] near = new double[3][];          // the first points of the row asked for last, between its neighbours'
+    private final double[][] near = new double[3][];          // the first points of the current row, between its neighbours'
     private int asked = NONE;
 
     /** The colours of the first points of a row. */
@@ -32,22 +32,22 @@ final class AdaptiveSampler implements Sampler {
     }
 
     /**
-     * Makes what the samplers of all threads share.
+     * Creates the store of first points that the samplers of all threads share.
      *
      * @param height the picture's height
-     * @param threads how many threads there are
-     * @return places for rows of first points, each at its number modulo how many there are
+     * @param threads the number of threads
+     * @return an empty store, in which a row's place is its number modulo the length
      */
     static AtomicReferenceArray<Row> rows(int height, int threads) {
         return new AtomicReferenceArray<>(Math.min(height, ROWS_A_THREAD * threads + ROWS));
     }
 
-    /** Makes a sampler for a region of a picture, which looks at the region's neighbours, too. */
+    /** Creates a sampler for a region of a picture and the pixels around it. */
     AdaptiveSampler(Tracer tracer, int width, int height, Region region, AtomicReferenceArray<Row> first) {
         this(tracer, region.grown(width, height), height, first, null);
     }
 
-    /** Makes a sampler for what all {@linkplain #first first points} were found of already, row by row. */
+    /** Creates a sampler for a picture whose {@linkplain #first first points} are all traced already. The last argument has their rows. */
     AdaptiveSampler(Tracer tracer, int width, int height, double[][] found) {
         this(tracer, Region.whole(width, height), height, null, found);
     }
@@ -91,7 +91,7 @@ final class AdaptiveSampler implements Sampler {
 
     @Override
     public double[] points(int x, int y) {
-        for (int i = 0; i < near.length; i++) {               // rows of which only three pixels are asked for
+        for (int i = 0; i < near.length; i++) {               // rows of which only three pixels are needed
             near[i] = firsts(y - 1 + i, Math.max(left, x - 1), Math.min(right, x + 2));
         }
         asked = NONE;
@@ -125,7 +125,7 @@ final class AdaptiveSampler implements Sampler {
         return false;
     }
 
-    /** {@return the first points of a row; null above and below the picture} Two threads may find the same at once, and alike. */
+    /** {@return the first points of a row; null above and below the picture} Two threads may trace the same row, with the same result. */
     private double[] firsts(int y) {
         if (y < 0 || y >= height) {
             return null;
@@ -158,7 +158,7 @@ final class AdaptiveSampler implements Sampler {
         return rgb;
     }
 
-    /** Finds the colour at a pixel's first point. */
+    /** Traces a pixel's first point. */
     void first(int x, int y, Colour sample) {
         trace(x, y, firstColumn(x, y), firstRow(y), sample);
     }
@@ -168,7 +168,7 @@ final class AdaptiveSampler implements Sampler {
         sample.clamp();
     }
 
-    /** One of the four points around the pixel's centre, another for each pixel of a block of four. */
+    /** Chooses one of the four points around the pixel's centre, a different one for each pixel of a block of four. */
     private static int firstColumn(int x, int y) {
         return 1 + (x + y & 1);
     }

@@ -16,7 +16,7 @@ import simpleray.scene.Scene;
 import simpleray.scene.WhittedIntegrator;
 import simpleray.trace.CompiledScene;
 
-/** Tells about single pixels of a picture. <em>Mutable</em>: one thread's own. The scene and the camera must not change meanwhile. */
+/** Explains single pixels of a picture. <em>Mutable</em>: one thread's own. The scene and the camera must not change meanwhile. */
 public final class Explainer {
     private final Scene scene;
     private final Camera camera;
@@ -27,7 +27,7 @@ public final class Explainer {
     private final Hit hit = new Hit();
     private final Sampler sampler;
 
-    /** Creates one. The compiled scene is made if it is null, and not to be done without. */
+    /** Creates an explainer. If the compiled scene is null, it is compiled here, unless the settings say {@link Accel#NONE}. */
     Explainer(Scene scene, Camera camera, RenderSettings settings, CompiledScene compiled) {
         this.scene = scene;
         this.camera = camera;
@@ -53,7 +53,7 @@ public final class Explainer {
     }
 
     /**
-     * Finds what the ray through a pixel's centre hits.
+     * Finds the object that the ray through a pixel's centre hits.
      *
      * @param x the column, 0 at the left
      * @param y the row, 0 at the top
@@ -65,7 +65,7 @@ public final class Explainer {
     }
 
     /**
-     * Tells why a pixel has its colour.
+     * Explains why a pixel has its colour.
      *
      * @param x the column, 0 at the left
      * @param y the row, 0 at the top

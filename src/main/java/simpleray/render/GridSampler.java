@@ -2,7 +2,7 @@ package simpleray.render;
 
 import simpleray.math.Colour;
 
-/** The mean of n × n points of a pixel, the centres of its sub-cells, each clamped; for n = 1 its centre, not clamped. */
+/** Takes the mean of n × n points of a pixel, the centres of its sub-cells, each clamped; if n is 1, its centre, not clamped. */
 final class GridSampler implements Sampler {
     private final Tracer tracer;
     private final int n;

@@ -1,8 +1,8 @@
 package simpleray.render;
 
-/** Memory that has come to its end. */
+/** Recognises that memory has run out. */
 public final class OutOfMemory {
-    /** What to do about it. */
+    /** The message to the user. */
     public static final String MESSAGE =
         "the scene or the picture is too large for the memory: make it smaller, or give java more by -Xmx";
 
@@ -10,11 +10,11 @@ public final class OutOfMemory {
     }
 
     /**
-     * Tells whether it is what is behind a fault. While memory ends other faults can come of it: of a class that cannot be loaded, or of
-     * a resource that cannot be closed.
+     * Tells whether an exception comes from a lack of memory. Others than {@link OutOfMemoryError} can, such as that of a class that cannot be
+     * loaded or of a resource that cannot be closed.
      *
-     * @param fault what was thrown
-     * @return whether it, or a cause of it, is a want of memory
+     * @param fault the exception
+     * @return whether it or one of its causes is an {@link OutOfMemoryError}
      */
     public static boolean isBehind(Throwable fault) {
         for (Throwable cause = fault; cause != null; cause = cause.getCause()) {

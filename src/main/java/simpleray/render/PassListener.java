@@ -1,23 +1,23 @@
 package simpleray.render;
 
-/** Is told how far a rendering in passes has come. Called by several threads at once; should be quick. */
+/** Receives the progress of a rendering in passes. Called by several threads at once; should return quickly. */
 public interface PassListener extends RenderListener {
     /**
-     * Some pixels are there.
+     * Called when some pixels are rendered.
      *
-     * @param run which
-     * @param rgb red, green and blue of each, linear and not clamped; the listener's own
+     * @param run the pixels
+     * @param rgb red, green and blue of each, linear and not clamped; the listener may keep and change it
      */
     void runFinished(PixelRun run, double[] rgb);
 
-    /** The first pass is over: all of what is rendered is there in coarse blocks. */
+    /** Called when the first pass is finished, and the whole is there in coarse blocks. */
     void coarseFinished();
 
     /**
-     * A pixel of a row could not be rendered: the row will never be finished. Called once for each such row.
+     * Called once for a row that will never be finished, because one of its pixels could not be rendered.
      *
      * @param y the row, 0 at the top
-     * @param fault what was thrown
+     * @param fault the exception
      */
     void rowFailed(int y, Throwable fault);
 }

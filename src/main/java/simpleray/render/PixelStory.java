@@ -5,14 +5,14 @@ import simpleray.math.Colour;
 import simpleray.scene.RayTree;
 
 /**
- * Why a pixel has its colour. <em>Constant</em>; nothing in it is to be changed.
+ * The reasons for a pixel's colour. <em>Constant</em>; nothing in it may be changed.
  *
  * @param x the column, 0 at the left
  * @param y the row, 0 at the top
- * @param width how many columns there are
- * @param height how many rows there are
- * @param stage which picture it belongs to
- * @param mean whether the pixel is the mean of its samples, added in their order; if not, it is its only one
+ * @param width the width of the picture in pixels
+ * @param height the height of the picture in pixels
+ * @param stage the stage of the picture
+ * @param mean whether the pixel is the mean of its samples, added in their order; if not, it is its only sample
  * @param samples its samples, one or more
  * @param colour its colour, linear
  */
@@ -22,9 +22,9 @@ public record PixelStory(int x, int y, int width, int height, Stage stage, boole
      *
      * @param px pixels from the left edge
      * @param py pixels from the top edge
-     * @param clamped whether the colour was brought into 0 to 1, as it is where a pixel has several points
-     * @param colour the colour that counts: what the ray sees, or in a view what that shows
-     * @param tree the ray's tree; in a view that of the finished picture
+     * @param clamped whether the colour was clamped to 0 to 1, as it is if a pixel has several points
+     * @param colour the colour that counts: that of the ray, or in a view that of the view
+     * @param tree the ray's tree; in a view, the tree of the final stage
      */
     public record Sample(double px, double py, boolean clamped, Colour colour, RayTree tree) {
     }

@@ -7,8 +7,7 @@ import simpleray.scene.SceneSettings;
 import simpleray.trace.CompiledScene;
 
 /**
- * A scene that is rendered again and again, by requests that may differ in the camera and in all else: what takes long to make ready is
- * made once. <em>Mutable</em>; one rendering at a time.
+ * A scene that is rendered again and again, with any camera and settings. It is compiled only once. <em>Mutable</em>; one rendering at a time.
  */
 public final class PreparedScene {
     private final Scene scene;
@@ -16,7 +15,7 @@ public final class PreparedScene {
     private CompiledScene compiled;
 
     /**
-     * Takes a scene as it was read; nothing is made ready yet.
+     * Takes a scene as it was read. It is compiled when it is first rendered.
      *
      * @param scene the scene; its settings are changed by each request
      */
@@ -26,18 +25,18 @@ public final class PreparedScene {
     }
 
     /**
-     * Prepares a rendering. The one before must have ended: a scene does not change while it renders.
+     * Prepares a rendering. The previous one must have ended, since a scene does not change while it renders.
      *
-     * @param request what is asked for beside the scene's own settings
+     * @param request the options, which override the scene's own settings
      * @return the renderer
-     * @throws IllegalArgumentException if something asked for is out of its range
+     * @throws IllegalArgumentException if an option is out of its range
      */
     public Renderer renderer(RenderRequest request) {
         scene.settings = own;
         return request.renderer(scene, this);
     }
 
-    /** {@return the scene made ready for an eye} What is to be made once is made now, if it was not. */
+    /** {@return the scene compiled for an eye} The first call compiles it. */
     synchronized CompiledScene compiled(Point eye, Supplier<CompiledScene> maker) {
         if (compiled == null) {
             compiled = maker.get();

@@ -3,7 +3,7 @@ package simpleray.render;
 import java.util.Locale;
 
 /**
- * How far a rendering has come and how long it will still take, taking all rows for equal. <em>Mutable</em>; any thread may call.
+ * Counts finished rows and estimates the time left, as if all rows took the same time. <em>Mutable</em>; any thread may call.
  */
 public final class Progress {
     private static final double SECOND = 1e9;
@@ -13,15 +13,15 @@ public final class Progress {
     private final long start;
     private final int known;
     private int finished;
-    private double worked;                                    // rows' worth of work, as far as it was told
+    private double worked;                                    // finished work, in rows
     private long held;                                        // nanoseconds
     private long heldSince;
     private boolean paused;
 
     /**
-     * Begins to count.
+     * Starts counting.
      *
-     * @param rows how many rows there are
+     * @param rows the number of rows
      * @param start the time at which rendering began, in nanoseconds of {@link System#nanoTime}
      */
     public Progress(int rows, long start) {
@@ -29,11 +29,11 @@ public final class Progress {
     }
 
     /**
-     * Begins to count.
+     * Starts counting.
      *
-     * @param rows how many rows there are
+     * @param rows the number of rows
      * @param start the time at which rendering began, in nanoseconds of {@link System#nanoTime}
-     * @param known how many of them take no time, because they are known from before
+     * @param known the number of rows that take no time, because they are known from before
      */
     public Progress(int rows, long start, int known) {
         this.rows = rows;
@@ -47,16 +47,16 @@ public final class Progress {
     }
 
     /**
-     * Counts work of which whole rows come later.
+     * Counts finished work on a row that is not finished yet.
      *
-     * @param share how many rows it is worth
+     * @param share the work, in rows
      */
     public synchronized void worked(double share) {
         worked += share;
     }
 
     /**
-     * Stops the clock, or lets it go on.
+     * Stops the clock, or restarts it.
      *
      * @param hold whether to stop it
      * @param now the time, in nanoseconds of {@link System#nanoTime}
@@ -70,23 +70,23 @@ public final class Progress {
         paused = hold;
     }
 
-    /** {@return how many rows there are} */
+    /** {@return the number of rows} */
     public int rows() {
         return rows;
     }
 
-    /** {@return how many rows are finished} */
+    /** {@return the number of finished rows} */
     public synchronized int finished() {
         return finished;
     }
 
-    /** {@return how much is finished, from 0 to 100, rounded down} */
+    /** {@return the percentage of finished rows, rounded down} */
     public synchronized int percent() {
         return (int) (100L * finished / rows);
     }
 
     /**
-     * Tells the time since the start, without pauses.
+     * Returns the time since the start, without pauses.
      *
      * @param now the time, in nanoseconds of {@link System#nanoTime}
      * @return seconds
@@ -96,7 +96,7 @@ public final class Progress {
     }
 
     /**
-     * Tells the time between two moments.
+     * Returns the time between two moments.
      *
      * @param from the earlier, in nanoseconds of {@link System#nanoTime}
      * @param to the later
@@ -110,7 +110,7 @@ public final class Progress {
      * Estimates the time until the end.
      *
      * @param now the time, in nanoseconds of {@link System#nanoTime}
-     * @return seconds; NaN while nothing is finished but known rows
+     * @return seconds; NaN as long as only known rows are finished
      */
     public synchronized double left(long now) {
         double done = Math.max(finished, worked) - known;
@@ -118,9 +118,9 @@ public final class Progress {
     }
 
     /**
-     * Writes a time as people read it.
+     * Formats a time for people.
      *
-     * @param seconds the time; NaN if it is not known
+     * @param seconds the time; NaN if it is unknown
      * @return such as {@code 0.3 s}, {@code 12 s}, {@code 3:05 min}, {@code 1:02:03 h} or {@code ?}
      */
     public static String time(double seconds) {

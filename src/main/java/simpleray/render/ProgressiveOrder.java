@@ -8,9 +8,9 @@ import java.util.concurrent.Semaphore;
 import java.util.concurrent.atomic.AtomicInteger;
 
 /**
- * Hands out a picture in passes: a pixel of each block of 8 × 8 first, then those that are missing of 4 × 4, 2 × 2 and all, so that the
- * whole is seen early and no pixel is traced twice. One region may come before the rest, or alone. Where pixels are sampled by what
- * their neighbours are, previews of all come first. <em>Mutable</em>; any thread may call.
+ * Hands out a picture in passes: first one pixel of each block of 8 × 8, then the missing ones of 4 × 4, of 2 × 2, and all others, so that the
+ * whole is seen early and no pixel is traced twice. One region may come before the rest, or alone. If sampling is adaptive, previews of
+ * all pixels come first. <em>Mutable</em>; any thread may call.
  */
 final class ProgressiveOrder {
     private static final int COARSEST = 8;
@@ -18,25 +18,25 @@ final class ProgressiveOrder {
     private static final int MAX_OPEN = 1 << 16;
 
     private final List<Pass> passes = new ArrayList<>();
-    private final Deque<PixelRun> cut = new ArrayDeque<>();   // the runs of a row that are to be handed out next
+    private final Deque<PixelRun> cut = new ArrayDeque<>();   // the runs to be handed out next
     private int pass;
-    private int row;                                          // of the pass, 0 for its first
-    private final Semaphore open = new Semaphore(MAX_OPEN);   // each run that is handed out and not finished has a permit
+    private int row;                                          // the row of the pass, 0 for its first
+    private final Semaphore open = new Semaphore(MAX_OPEN);   // a run that is handed out holds a permit until it is finished
     private final AtomicInteger coarse = new AtomicInteger(); // runs of the first pass that are not finished
     private volatile boolean stopped;
 
     /**
-     * A walk over an area.
+     * One pass over an area.
      *
-     * @param except what of the area is left out; null for nothing
+     * @param except the part of the area that is left out; null for none
      * @param size the side of the blocks
-     * @param after whether all runs before must be finished first
+     * @param after whether all earlier runs must be finished first
      */
     private record Pass(Region area, Region except, int size, boolean rows, boolean preview, boolean after) {
         /** {@return the pixels of its k-th row, in up to two runs} */
         List<PixelRun> runs(int k) {
             int y = area.y() + k * size;
-            boolean begun = !rows && size < COARSEST && k % 2 == 0;     // of this row the pass before had every second
+            boolean begun = !rows && size < COARSEST && k % 2 == 0;     // the pass before had every second pixel of this row
             int x = begun ? area.x() + size : area.x();
             int step = begun ? 2 * size : size;
             List<PixelRun> runs = new ArrayList<>(2);
@@ -64,8 +64,8 @@ final class ProgressiveOrder {
     /**
      * Plans the passes.
      *
-     * @param first what comes first; null for nothing
-     * @param alone whether that is all
+     * @param first the region that comes first; null for none
+     * @param alone whether only that region comes
      * @param previews whether the last pass needs previews of each pixel and of its neighbours
      */
     ProgressiveOrder(int width, int height, Region first, boolean alone, boolean previews) {
@@ -91,7 +91,7 @@ final class ProgressiveOrder {
         }
     }
 
-    /** {@return what is to be traced next; null if nothing is left} May wait until what it builds on is finished. */
+    /** {@return the next run to be traced; null if none is left} Waits until the runs that it builds on are finished. */
     synchronized PixelRun next() {
         while (!stopped && (!cut.isEmpty() || pass < passes.size())) {
             if (!cut.isEmpty()) {
@@ -114,7 +114,7 @@ final class ProgressiveOrder {
     }
 
     /**
-     * Notes that a run is finished, and all that is done with it.
+     * Notes that a run is finished, after the listener has it.
      *
      * @return whether it was the last of the first pass
      */
@@ -123,7 +123,7 @@ final class ProgressiveOrder {
         return run.size() == COARSEST && coarse.decrementAndGet() == 0;
     }
 
-    /** Hands out nothing more. */
+    /** Hands out no more runs. */
     void stop() {
         if (!stopped) {
             stopped = true;

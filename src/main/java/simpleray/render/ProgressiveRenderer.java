@@ -7,16 +7,16 @@ import java.util.function.Function;
 import simpleray.image.Picture;
 import simpleray.math.Colour;
 
-/** Renders a picture in the passes of a {@link ProgressiveOrder}: what all its threads share, and what each of them does. */
+/** Renders a picture in the passes of a {@link ProgressiveOrder}, on several threads. <em>Mutable</em>; any thread may call. */
 final class ProgressiveRenderer {
     private final Picture picture;
     private final PassListener listener;
     private final ProgressiveOrder passes;
-    private final double[][] previews;                        // null if no pixel is sampled by what its neighbours are
-    private final AtomicReferenceArray<double[]> rows;        // as far as they are traced
+    private final double[][] previews;                        // null unless sampling is adaptive
+    private final AtomicReferenceArray<double[]> rows;        // rows that are partly traced
     private final AtomicIntegerArray missing;                 // pixels of each row
     private final AtomicReferenceArray<Throwable> faults;     // of each row
-    private final AtomicReferenceArray<Throwable> unseen;     // of each row of previews
+    private final AtomicReferenceArray<Throwable> unseen;     // of the previews of each row
     private final boolean wholeRows;
     private volatile boolean stopped;
     private volatile Semaphore pause;                         // without permits; null unless it is paused
@@ -24,10 +24,10 @@ final class ProgressiveRenderer {
     /**
      * Plans the work.
      *
-     * @param picture gets each row when all its pixels are there
-     * @param first what comes first; null for nothing
-     * @param alone whether that is all
-     * @param adaptive whether pixels are sampled by what their neighbours are
+     * @param picture gets each row when all its pixels are traced
+     * @param first the region that comes first; null for none
+     * @param alone whether only that region is rendered
+     * @param adaptive whether sampling is adaptive
      */
     ProgressiveRenderer(Picture picture, PassListener listener, Region first, boolean alone, boolean adaptive) {
         this.picture = picture;
@@ -70,9 +70,9 @@ final class ProgressiveRenderer {
     }
 
     /**
-     * Works until nothing is left to do. What a pixel throws is told to the listener, and its row is left out.
+     * Renders until no run is left. If a pixel throws an exception, the listener receives it, and the pixel's row is left out.
      *
-     * @param tracers makes a tracer; a better one if true, for the many rays of a last pass
+     * @param tracers creates a tracer; if true, a faster one, for the many rays of a last pass
      * @param samples as in {@link RenderSettings}
      */
     void run(Function<Boolean, Tracer> tracers, int samples) {
@@ -92,7 +92,7 @@ final class ProgressiveRenderer {
         }
     }
 
-    /** What finds the colour of a pixel. */
+    /** Computes the colour of a pixel. */
     private interface Pixels {
         void find(int x, int y, Colour colour);
     }
@@ -142,7 +142,7 @@ final class ProgressiveRenderer {
         }
     }
 
-    /** {@return what went wrong with a row before, or with a preview that it builds on; null for nothing} */
+    /** {@return the earlier exception of a run's row, or of a preview that it builds on; null for none} */
     private Throwable fault(PixelRun run) {
         Throwable fault = faults.get(run.y());
         if (previews != null && !run.preview()) {

@@ -25,7 +25,7 @@ public record Region(int x, int y, int width, int height) {
     }
 
     /**
-     * Makes the region that is a whole picture.
+     * Returns the region of a whole picture.
      *
      * @param width the picture's width in pixels
      * @param height its height in pixels
@@ -35,22 +35,22 @@ public record Region(int x, int y, int width, int height) {
         return new Region(0, 0, width, height);
     }
 
-    /** {@return the column behind the last} */
+    /** {@return the column after the last} */
     public int right() {
         return x + width;
     }
 
-    /** {@return the row below the last} */
+    /** {@return the row after the last} */
     public int bottom() {
         return y + height;
     }
 
     /**
-     * Makes sure that a picture has this region.
+     * Checks that this region is inside a picture.
      *
      * @param pictureWidth the picture's width in pixels
      * @param pictureHeight its height in pixels
-     * @throws IllegalArgumentException if it has not; the message says so to the user
+     * @throws IllegalArgumentException if it is not; the message is for the user
      */
     public void requireWithin(int pictureWidth, int pictureHeight) {
         if (!isWithin(pictureWidth, pictureHeight)) {
@@ -60,17 +60,17 @@ public record Region(int x, int y, int width, int height) {
     }
 
     /**
-     * Tells whether a picture has this region.
+     * Tells whether this region is inside a picture.
      *
      * @param pictureWidth the picture's width in pixels
      * @param pictureHeight its height in pixels
-     * @return whether it has
+     * @return whether it is
      */
     public boolean isWithin(int pictureWidth, int pictureHeight) {
         return (long) x + width <= pictureWidth && (long) y + height <= pictureHeight;
     }
 
-    /** {@return this region with a border of a pixel, as far as the picture has one} */
+    /** {@return this region with a border of one pixel, as far as it is inside the picture} */
     Region grown(int pictureWidth, int pictureHeight) {
         int left = Math.max(0, x - 1);
         int top = Math.max(0, y - 1);

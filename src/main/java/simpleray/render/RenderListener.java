@@ -1,14 +1,14 @@
 package simpleray.render;
 
-/** Is told how far a rendering has come. */
+/** Receives the progress of a rendering. */
 @FunctionalInterface
 public interface RenderListener {
-    /** Listens to nothing. */
+    /** Does nothing. */
     RenderListener NONE = y -> { };
 
     /**
-     * A row is finished and set in the picture. Called by the thread that finished it, for rows in any order; should be quick, and
-     * must be ready to be called by several threads at once.
+     * Called when a row is finished and set in the picture, by the thread that finished it. Rows come in any order, and several threads may
+     * call at once. Should return quickly.
      *
      * @param y the row, 0 at the top
      */

@@ -16,48 +16,48 @@ import simpleray.scene.Scene;
 import simpleray.trace.CompiledScene;
 
 /**
- * Renders one picture of a scene: rays for each pixel, rows handed out to threads (thesis, chapter 2). The scene and the camera must
+ * Renders one picture of a scene on several threads, each of which takes row after row (thesis, chapter 2). The scene and the camera must
  * not change meanwhile.
  */
 public final class Renderer {
-    // On the way of a plain rendering stands no lambda, here and elsewhere: the first ones take 10 ms of each start.
-    /** Room for {@link RenderSettings#MAX_DEPTH} reflections within reflections, in bytes. */
+    // A plain rendering uses no lambda, here and elsewhere: the first ones add 10 ms to each start.
+    /** The size of a thread's stack, in bytes: enough for {@link RenderSettings#MAX_DEPTH} reflections within reflections. */
     private static final long STACK = 8L << 20;
 
-    /** So many rows from all over the picture are rendered first, or as many as have so many pixels, or a part of all. */
+    /** The most rows that are rendered early, the most pixels in them, and the part of all rows that they are at most. */
     private static final int MAX_EARLY = 64;
     private static final int MAX_EARLY_PIXELS = 64_000;
     private static final int EARLY_PART = 8;
-    /** How far they are apart, as a share of the picture: the golden ratio spreads any number of them evenly. */
+    /** The distance between early rows, as a share of the picture: the golden ratio spreads any number of rows evenly. */
     private static final double APART = 0.6180339887498949;
-    /** A prime: steps of so many columns, round and round, come to each of fewer columns once. */
+    /** The step between columns of early rows. Since it is a prime above any width, steps modulo the width reach each column once. */
     private static final int JUMP = 1_000_003;
 
     private final Scene scene;
     private final Camera camera;
     private final RenderSettings settings;
     private final AtomicReferenceArray<AdaptiveSampler.Row> firstPoints;   // null if sampling is not adaptive
-    private final PreparedScene prepared;                     // null if it is to be made ready for this rendering alone
-    private final Region region;                              // the piece of what the camera sees that the picture has
+    private final PreparedScene prepared;                     // null if the scene is compiled for this rendering alone
+    private final Region region;                              // the part of the camera's window that is rendered
     private final Picture picture;
     private final ScanlineQueue rows;
-    private volatile Throwable fault;                         // what a thread threw: the first; if two come at once, either
+    private volatile Throwable fault;                         // the first exception of a thread; if two come at once, either
     private volatile boolean cancelled;
-    private final Map<Integer, double[]> early = new ConcurrentHashMap<>();   // rows that were rendered before their turn
+    private final Map<Integer, double[]> early = new ConcurrentHashMap<>();   // rows that wait for their turn
     private final AtomicInteger nextEarly = new AtomicInteger();
-    private volatile CompiledScene ready;                            // kept for who asks about pixels
-    private volatile ProgressiveRenderer passes;              // null unless it renders in passes
+    private volatile CompiledScene ready;                     // kept for the explainer
+    private volatile ProgressiveRenderer passes;              // null unless rendering in passes
     private boolean paused;
-    private IntFunction<double[]> known;                      // null if no row is
+    private IntFunction<double[]> known;                      // null if no row is known
     private RenderStats stats;
 
     /**
-     * Prepares a rendering, to be used once.
+     * Prepares a rendering. The renderer can be used once.
      *
      * @param scene the scene
      * @param camera the camera, whose resolution is the picture's
-     * @param settings all else
-     * @throws IllegalArgumentException if the picture does not have the region that the settings ask for
+     * @param settings all other settings
+     * @throws IllegalArgumentException if the settings have a region that is not inside the picture
      */
     public Renderer(Scene scene, Camera camera, RenderSettings settings) {
         this(scene, camera, settings, null);
@@ -75,50 +75,50 @@ public final class Renderer {
         rows = new ScanlineQueue(picture.height(), settings.threads());
     }
 
-    /** {@return the picture; its rows are set one by one while it is rendered} */
+    /** {@return the picture, whose rows are set one by one while it is rendered} */
     public Picture picture() {
         return picture;
     }
 
     /**
-     * Makes rows known that need not be rendered. To be called before {@link #render}.
+     * Sets rows that need not be rendered. Must be called before {@link #render}.
      *
-     * @param rows gives the light of a row of this number, null for one that is not known; asked by several threads at once
+     * @param rows returns the light of the row with a given number, or null if it is unknown; several threads may call at once
      */
     public void know(IntFunction<double[]> rows) {
         known = rows;
     }
 
-    /** {@return what the rendering did; null until it has ended} */
+    /** {@return the statistics of the rendering; null until it has ended} */
     public RenderStats stats() {
         return stats;
     }
 
     /**
-     * Makes what tells about pixels of this picture. It asks what the rendering has made ready, if it has begun.
+     * Creates an explainer of this picture's pixels. It shares the compiled scene, if rendering has begun.
      *
-     * @return one for one thread, which can ask while the picture is rendered and afterwards
+     * @return an explainer for one thread, for use while the picture is rendered and afterwards
      */
     public Explainer explainer() {
         return new Explainer(scene, camera, settings, ready);
     }
 
-    /** {@return how many rows are begun at most, of which the first is not finished} */
+    /** {@return the most rows that are begun, counted from the first unfinished one} */
     public int rowsAhead() {
         return Math.min(ScanlineQueue.ahead(settings.threads()), picture.height());
     }
 
-    /** {@return the memory that rendering takes at most, in bytes, if the listener lets go of each row} */
+    /** {@return the most memory that rendering needs, in bytes, if the listener releases each row} */
     public long bytesNeeded() {
-        int kept = firstPoints == null ? 0 : firstPoints.length();   // and the neighbours of each thread's, which are mostly of these
+        int kept = firstPoints == null ? 0 : firstPoints.length();   // which include most neighbours of each thread's row
         return (long) (threads() + kept + earlyRows()) * Picture.bytesNeeded(picture.width(), 1);
     }
 
     /**
      * Renders, and returns when all rows are finished and all threads have ended.
      *
-     * @param listener told of each row; what it throws ends the rendering, and is thrown here
-     * @return the picture, whole but for rows that the listener let go of
+     * @param listener called for each row; an exception that it throws ends the rendering, and is thrown here
+     * @return the picture, without the rows that the listener released
      * @throws CancellationException if it was cancelled, or the calling thread was interrupted
      */
     public Picture render(RenderListener listener) {
@@ -131,15 +131,15 @@ public final class Renderer {
     }
 
     /**
-     * Renders in passes, coarse ones first; the picture becomes the same. It may be {@linkplain #setPaused paused}. A row in which
-     * something throws is left out, and the others go on. Returns when all threads have ended.
+     * Renders the same picture in passes, coarse ones first. It may be {@linkplain #setPaused paused}. If an exception is thrown in a row, the
+     * row is left out, and the others continue. Returns when all threads have ended.
      *
-     * @param listener told of each piece; what it throws ends the rendering, and is thrown here
-     * @param first what is rendered before all else; null for nothing
-     * @param alone whether that is all
-     * @return the picture; rows that were left out, or not asked for as a whole, are not set
+     * @param listener called for each run of pixels; an exception that it throws ends the rendering, and is thrown here
+     * @param first the region to render first; null for none
+     * @param alone whether only that region is rendered
+     * @return the picture; rows that were left out, or only partly rendered, are not set
      * @throws CancellationException if it was cancelled, or the calling thread was interrupted
-     * @throws IllegalArgumentException if the picture does not have that region, or is a region itself
+     * @throws IllegalArgumentException if the region is not inside the picture, or the picture is itself a region
      */
     public Picture renderPasses(PassListener listener, Region first, boolean alone) {
         if (settings.region() != null) {
@@ -153,16 +153,16 @@ public final class Renderer {
             passes = own;
             own.setPaused(paused);
         }
-        if (cancelled) {                                      // before there was anything to stop
+        if (cancelled) {                                      // before there were passes to stop
             own.stop();
         }
         return renderBy(tracers -> own.run(many -> tracers.tracer(many && !cancelled), settings.samples()));
     }
 
     /**
-     * Holds a rendering in passes, or lets it go on; it is held within the time of a pixel. Any thread may call, also before it has begun.
+     * Pauses a rendering in passes within the time of a pixel, or resumes it. Any thread may call, also before it has begun.
      *
-     * @param held whether it is to be held
+     * @param held whether to pause
      */
     public synchronized void setPaused(boolean held) {
         paused = held;
@@ -190,7 +190,7 @@ public final class Renderer {
                 worker.setDaemon(true);
                 worker.start();
                 workers.add(worker);
-            } catch (OutOfMemoryError e) {                    // the system grants no more threads: fewer do the same work
+            } catch (OutOfMemoryError e) {                    // the system grants no more threads, and fewer are enough
                 if (workers.isEmpty()) {
                     throw e;
                 }
@@ -223,7 +223,7 @@ public final class Renderer {
         return Math.min(settings.threads(), picture.height());
     }
 
-    /** Ends the rendering soon; its threads end within the time of a pixel. Any thread may call, also before it has begun. */
+    /** Ends the rendering: its threads end within the time of a pixel. Any thread may call, also before it has begun. */
     public void cancel() {
         cancelled = true;
         rows.stop();
@@ -233,7 +233,7 @@ public final class Renderer {
         }
     }
 
-    /** Waits for a thread; an interrupt of this one cancels, and is passed on. */
+    /** Waits until a thread has ended. An interrupt cancels the rendering, and is kept. */
     private void await(Thread worker) {
         boolean interrupted = false;
         while (worker.isAlive()) {
@@ -250,8 +250,8 @@ public final class Renderer {
     }
 
     /**
-     * Renders a few rows from all over the picture, pixel by pixel in an order that jumps about: the machine compiles what it has seen at work,
-     * and would have to begin again for what only the other rows show. They are kept until their turn comes.
+     * Renders a few rows from all over the picture, pixel by pixel in a scattered order, and keeps them until their turn comes. The JVM compiles
+     * by the profile of what has run, and would have to compile again when lower rows show something new.
      */
     private void renderEarly(Sampler own) {
         int share = (earlyRows() + threads() - 1) / threads();
@@ -279,12 +279,12 @@ public final class Renderer {
         }
     }
 
-    /** {@return how many rows are rendered before their turn} None if they would look at neighbours that are not known yet. */
+    /** {@return the number of rows that are rendered early} None if sampling is adaptive, since their neighbours are not traced yet. */
     private int earlyRows() {
         return firstPoints != null ? 0 : Math.min(Math.min(MAX_EARLY, MAX_EARLY_PIXELS / picture.width()), picture.height() / EARLY_PART);
     }
 
-    /** {@return the light of a row that need not be rendered any more; null if it must be} */
+    /** {@return the light of a row that is rendered already; null if it is not} */
     private double[] kept(int y) {
         double[] row = early.remove(y);
         return row == null && known != null ? known.apply(y) : row;
@@ -298,8 +298,8 @@ public final class Renderer {
     private void run(Consumer<Tracers> work, Tracers tracers) {
         try {
             work.accept(tracers);
-        } catch (RuntimeException | Error e) {                // reported by render(), after all threads have ended
-            if (fault == null) {                              // which takes no memory: there may be none left
+        } catch (RuntimeException | Error e) {                // thrown by render(), after all threads have ended
+            if (fault == null) {                              // allocates nothing: memory may have run out
                 fault = e;
             }
             cancel();
@@ -309,7 +309,7 @@ public final class Renderer {
     private void work(Tracers tracers, RenderListener listener) {
         Sampler own = sampler(tracers.tracer(false));
         renderEarly(own);
-        double[] spare = null;                                // a row that was let go of
+        double[] spare = null;                                // the array of a row that the listener released
         for (int y = rows.next(); y >= 0 && !cancelled; y = rows.next()) {
             double[] row = kept(y);
             boolean isNew = row == null;

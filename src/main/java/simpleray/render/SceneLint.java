@@ -27,29 +27,29 @@ import simpleray.text.Diagnostic;
 import simpleray.trace.CompiledScene;
 
 /**
- * Finds what is odd about a scene's picture: objects and lights that make no difference to it, an eye inside an object, colours that are
- * clipped, planes that may lie elsewhere than was meant. It traces some thousand rays from the eye, the same each time, and what it says is
- * true of these. <em>Mutable</em>, for one thread.
+ * Finds likely mistakes in a scene: objects and lights that do not affect the picture, an eye inside an object, clipped colours, planes that
+ * may lie elsewhere than intended. It traces some thousand rays from the eye, the same each time; its warnings hold for these rays.
+ * <em>Mutable</em>, for one thread.
  */
 public final class SceneLint {
-    /** Rays along each side of the picture: the first number, and the second too if those did not find everything. */
+    /** The number of rays along each side of the picture, and that of a second try if the first does not find everything. */
     private static final int[] SIDES = {64, 120};
     private static final int MAX_REFLECTIONS = 4;
     /** The level of a brighter component would be above 255. */
     private static final double WHITE = 255.5 / 255;
-    /** The share of rays with clipped colours from which on they are striking. */
+    /** The least share of rays with clipped colours that is worth an unasked warning. */
     private static final double STRIKING = 0.01;
-    /** It takes too long to compile larger scenes for a user who did not ask. */
+    /** The most objects of a scene that is checked unasked: larger ones take too long to compile. */
     private static final int MAX_OBJECTS = 10_000;
     /** A normal whose length differs from 1 by no more is a unit vector written with four decimals. */
     private static final double ROUNDED = 1e-4;
     /** A normal whose length differs from 1 by no more was perhaps meant to be a unit vector. */
     private static final double NEARLY = 0.05;
-    /** How many unseen objects get a warning each. */
+    /** The number of unseen objects that get a warning each. */
     private static final int MAX_UNSEEN = 10;
-    /** An eye counts as outside an object whose surface a ray from there crosses more often. */
+    /** The most crossings of an object's surface that are counted to find whether the eye is inside. */
     private static final int MAX_CROSSINGS = 1000;
-    /** Two directions along which no scene is built. */
+    /** Two directions that are unlikely to run along a surface. */
     private static final List<Vector> ODD = List.of(new Vector(0.5391, 0.3175, 0.7801), new Vector(-0.2713, -0.8527, 0.4463));
 
     private final SceneFile file;
@@ -71,7 +71,7 @@ public final class SceneLint {
         camera = scene.settings.newCamera();
     }
 
-    /** Notes which objects rays hit, at first or after reflections, and which lights reach something there. */
+    /** Notes the objects that rays hit, at first or after reflections, and the lights that reach these hits. */
     private static final class Seen implements Recorder {
         final BitSet objects = new BitSet();
         final BitSet lights = new BitSet();
@@ -94,9 +94,9 @@ public final class SceneLint {
     }
 
     /**
-     * Finds all that is odd about a scene's picture, beside what {@link SceneFile#warnings} says of its file.
+     * Finds all likely mistakes in a scene's picture. {@link SceneFile#warnings} has those of its file.
      *
-     * @param file the scene, which must not change meanwhile; its settings say which picture
+     * @param file the scene, which must not change meanwhile, with the settings of the picture
      * @param name the file's name in messages
      * @return warnings, in the order of the file
      */
@@ -105,10 +105,10 @@ public final class SceneLint {
     }
 
     /**
-     * Finds what is odd about a scene's picture, for a user who did not ask: as {@link #all}, but bright colours only if they are more than
-     * highlights, and nothing about large scenes.
+     * Finds the likely mistakes that a user is told unasked: as {@link #all}, but bright colours only if they are more than highlights, and
+     * nothing about large scenes.
      *
-     * @param file the scene, which must not change meanwhile; its settings say which picture
+     * @param file the scene, which must not change meanwhile, with the settings of the picture
      * @param name the file's name in messages
      * @return warnings, in the order of the file
      */

@@ -4,15 +4,15 @@ import java.util.Locale;
 import simpleray.scene.Terms;
 
 /**
- * Which picture is made of a scene: the thesis's three (chapter 6, figures 12 to 14), its single terms (figure 10), or a view that shows
- * something else than light.
+ * The kind of picture: one of the thesis's three (chapter 6, figures 12 to 14), a single term (figure 10), or a view that shows something
+ * other than light.
  */
 public enum Stage {
     /** Before lighting and shadows: Ka·GA alone. */
     ORIGINAL(new Terms(true, false, false, false, false)),
     /** After lighting: ambient, diffuse and specular term, without shadows and reflections. */
     LIGHTING(new Terms(true, true, true, false, false)),
-    /** After shadows and reflections: all of it. */
+    /** After shadows and reflections: the complete picture. */
     FINAL(Terms.ALL),
     /** The ambient term of lighting alone. */
     AMBIENT(new Terms(true, false, false, false, false)),
@@ -20,15 +20,15 @@ public enum Stage {
     DIFFUSE(new Terms(false, true, false, false, false)),
     /** The specular term of lighting alone. */
     SPECULAR(new Terms(false, false, true, false, false)),
-    /** The normals of what the eye sees. */
+    /** The normals of the surfaces that the eye sees. */
     NORMALS,
-    /** How near it is. */
+    /** The distance of these surfaces: the nearer, the brighter. */
     DEPTH,
-    /** Which object it is. */
+    /** A colour for each object. */
     OBJECTS,
-    /** How far reflections and refractions are followed. */
+    /** The number of reflections and refractions that are followed. */
     BOUNCES,
-    /** Which share of the lights comes there. */
+    /** The share of the lights that reaches the surface. */
     SHADOWS;
 
     private final Terms terms;
@@ -44,12 +44,12 @@ public enum Stage {
         view = true;
     }
 
-    /** {@return whether it shows something else than light, as a {@link ViewIntegrator} finds it} */
+    /** {@return whether it shows something other than light, by a {@link ViewIntegrator}} */
     public boolean isView() {
         return view;
     }
 
-    /** {@return the parts of the colour that this stage shows; of a view, those of the finished picture} */
+    /** {@return the parts of the colour that this stage shows; for a view, those of the final stage} */
     public Terms terms() {
         return terms;
     }

@@ -16,7 +16,7 @@ import simpleray.scene.RayTree.Lamp;
 import simpleray.scene.RayTree.Next;
 import simpleray.scene.RayTree.Thing;
 
-/** A pixel's story as people read it: lines, each below the one it belongs to. Numbers have six digits. */
+/** Writes a pixel's story as text for people: indented lines, each below the line it belongs to. Numbers have six digits. */
 public final class StoryText {
     private static final MathContext DIGITS = new MathContext(6);
     private static final int LARGE = 9;
@@ -29,8 +29,8 @@ public final class StoryText {
     /**
      * A line.
      *
-     * @param level how deep it is below the first line, which is at 0
-     * @param text what it says
+     * @param level its depth below the first line, which is at 0
+     * @param text its text, not indented
      */
     public record Line(int level, String text) {
         @Override
@@ -43,7 +43,7 @@ public final class StoryText {
     }
 
     /**
-     * Puts a story into words.
+     * Writes a story.
      *
      * @param pixel the story
      * @return its lines, the first one at level 0 and all others below it
@@ -55,7 +55,7 @@ public final class StoryText {
     }
 
     /**
-     * Puts a story into words.
+     * Writes a story.
      *
      * @param pixel the story
      * @return the lines, indented, each with its line end
@@ -67,7 +67,7 @@ public final class StoryText {
     /**
      * Names an object or light.
      *
-     * @param thing which one
+     * @param thing the object or light
      * @return for example "object 3 (sphere, line 12)"
      */
     public static String object(Thing thing) {
@@ -85,7 +85,7 @@ public final class StoryText {
     }
 
     /**
-     * Writes a colour as a picture file has it.
+     * Writes a colour by the levels of a picture file.
      *
      * @param c the colour, linear
      * @return red, green and blue from 0 to 255

@@ -11,7 +11,7 @@ import simpleray.scene.Scene;
 import simpleray.scene.WhittedIntegrator;
 import simpleray.trace.CompiledScene;
 
-/** Finds the colour at a point of the picture. <em>Mutable</em>: one thread's own. */
+/** Traces the ray through a point of the picture. <em>Mutable</em>: one thread's own. */
 final class Tracer {
     private final Integrator integrator;
     private final Camera camera;
@@ -19,9 +19,9 @@ final class Tracer {
     private final Ray ray = new Ray();
 
     /**
-     * Makes what finds hits in a scene, for one thread.
+     * Creates the intersector of a scene, for one thread.
      *
-     * @param compiled the scene made ready; null to ask all objects in turn
+     * @param compiled the compiled scene; null to test all objects in turn
      * @param stats gets the counts of tests and steps
      */
     static Intersector intersector(Scene scene, CompiledScene compiled, RayStats stats) {
@@ -29,7 +29,7 @@ final class Tracer {
     }
 
     /**
-     * Makes what finds the colours of a stage, for one thread.
+     * Creates the integrator of a stage, for one thread.
      *
      * @param intersector finds hits in this scene
      * @param stats gets the counts of rays

@@ -8,17 +8,17 @@ import simpleray.scene.RayStats;
 import simpleray.scene.Scene;
 import simpleray.trace.CompiledScene;
 
-/** Makes a tracer for each thread of a rendering, and adds up what they did. Any thread may call. */
+/** Creates the tracer of each thread of a rendering, and adds up their statistics. Any thread may call. */
 final class Tracers {
     private final Scene scene;
     private final Camera camera;
     private final RenderSettings settings;
-    private final CompiledScene compiled;                     // null if all objects are asked in turn
+    private final CompiledScene compiled;                     // null if all objects are tested in turn
     private final List<RayStats> counts = new ArrayList<>();
     private final Object listing = new Object();
     private CompiledScene listed;
 
-    /** Creates one. The compiled scene is null to ask all objects in turn. */
+    /** If the compiled scene is null, all objects are tested in turn. */
     Tracers(Scene scene, Camera camera, RenderSettings settings, CompiledScene compiled) {
         this.scene = scene;
         this.camera = camera;
@@ -27,9 +27,9 @@ final class Tracers {
     }
 
     /**
-     * Makes a tracer for one thread.
+     * Creates a tracer for one thread.
      *
-     * @param many whether to have all that makes many rays faster; the first thread that asks makes it
+     * @param many whether many rays follow, for which a light buffer of the eye pays; the first thread that asks builds it
      */
     Tracer tracer(boolean many) {
         RayStats stats = new RayStats();
@@ -39,7 +39,7 @@ final class Tracers {
         return tracer(many && compiled != null ? listed() : compiled, stats);
     }
 
-    /** {@return what all threads did together, to be asked when they have ended; null if all objects were asked in turn} */
+    /** {@return the sum of all threads' statistics, once they have ended; null if all objects were tested in turn} */
     RayStats stats() {
         if (compiled == null) {
             return null;

@@ -14,17 +14,17 @@ import simpleray.scene.VisibilityTester;
 import simpleray.scene.WhittedIntegrator;
 
 /**
- * Finds the colours of those stages that show something else than light (docs/pictures.md). Where nothing is hit they are black.
+ * Computes the colours of the stages that show something other than light (docs/pictures.md). A ray that hits nothing is black.
  * <em>Mutable</em>: one thread's own.
  */
 final class ViewIntegrator implements Integrator {
-    /** How far the colours of two objects that follow each other are apart (Roberts, as in {@link Renderer}; for three dimensions). */
+    /** The distance between the colours of successive objects (the golden ratio of {@link Renderer} in three dimensions, by Roberts). */
     private static final double RED = 0.8191725133961645;
     private static final double GREEN = 0.6710436067037893;
     private static final double BLUE = 0.5497004779019703;
-    /** The darkest component of an object's colour, so that none is taken for the background. */
+    /** The lowest component of an object's colour, which tells it from the background. */
     private static final double DARKEST = 0.2;
-    /** The rays of the finished picture, without its light. */
+    /** The terms of the final stage that cast rays. */
     private static final Terms RAYS = new Terms(false, false, false, false, true);
 
     private final Stage stage;
@@ -38,7 +38,7 @@ final class ViewIntegrator implements Integrator {
     private final Interaction at = new Interaction();
     private final Colour left = new Colour();
 
-    /** Notes how many reflections and refractions led to the last ray of the longest way. */
+    /** Notes the number of reflections and refractions on the longest path. */
     private static final class Deepest implements Recorder {
         private int level;
 
@@ -113,7 +113,7 @@ final class ViewIntegrator implements Integrator {
         return DARKEST + (1 - DARKEST) * ((place + 1) * step % 1);
     }
 
-    /** Adds an equal share for each light that the surface faces, as much of it as what is between lets through. */
+    /** Adds an equal share for each light that the surface faces, dimmed by the objects in between. */
     private void addLights(Colour colour) {
         int lights = scene.getNumberLights();
         for (int i = 0; i < lights; i++) {

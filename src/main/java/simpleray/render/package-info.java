@@ -1,2 +1,2 @@
-/** Turns a scene into a picture: settings, rows handed out to threads, progress, cancelling. Knows no window. */
+/** Renders a scene to a picture: settings, threads, progress, cancelling. Knows no window. */
 package simpleray.render;
