@@ -23,7 +23,7 @@ import simpleray.render.RenderRequest;
 import simpleray.render.Stage;
 import simpleray.scene.Scene;
 import simpleray.scene.SceneFile;
-import simpleray.text.Numbers;
+import simpleray.text.NumberParser;
 
 /** Makes the thesis's figures of a scene, each a sheet of labelled pictures. */
 @Command(mixinStandardHelpOptions = true, sortOptions = false,
@@ -115,7 +115,7 @@ final class FiguresCommand implements Callable<Integer> {
         List<Picture> pictures = new ArrayList<>();
         for (String value : sweep.values()) {
             for (int i = 0; i < read.getNumberObjects(); i++) {
-                read.getObject(i).surfaceMaterial.shininess = Numbers.parseDouble(value);
+                read.getObject(i).surfaceMaterial.shininess = NumberParser.parseDouble(value);
             }
             pictures.addAll(render(Stage.LIGHTING));
         }

@@ -10,7 +10,7 @@ import simpleray.scene.Scene;
 import simpleray.scene.SceneSettings;
 import simpleray.scene.SceneSettings.Resolution;
 import simpleray.scene.SceneSettings.Window;
-import simpleray.text.Numbers;
+import simpleray.text.NumberParser;
 
 /** The options that say which picture is made of a scene. What they say wins over the scene file. */
 final class PictureOptions {
@@ -80,7 +80,7 @@ final class PictureOptions {
         asked.background = background;
         boolean adaptive = samples != null && samples.toLowerCase(Locale.ROOT).equals("adaptive");
         if (samples != null && !adaptive) {
-            Long n = Numbers.parseInteger(samples, 1, SceneSettings.MAX_SAMPLES);
+            Long n = NumberParser.parseInteger(samples, 1, SceneSettings.MAX_SAMPLES);
             if (n == null) {
                 throw CommandException.usage("--samples must be 1 to " + SceneSettings.MAX_SAMPLES + " or adaptive, and is '" + samples + "'");
             }

@@ -15,7 +15,7 @@ import simpleray.scene.RayTree.Hit;
 import simpleray.scene.RayTree.Lamp;
 import simpleray.scene.RayTree.Next;
 import simpleray.scene.RayTree.Thing;
-import simpleray.text.Numbers;
+import simpleray.text.ShortestDecimal;
 
 /** A pixel's story as one JSON object, its numbers to the last bit. What is infinite, or not known, is null. */
 final class StoryJson {
@@ -185,6 +185,6 @@ final class StoryJson {
     }
 
     private void number(double d) {
-        out.append(Double.isFinite(d) ? Numbers.shortest(d) : "null");
+        out.append(Double.isFinite(d) ? ShortestDecimal.of(d) : "null");
     }
 }

@@ -3,7 +3,7 @@ package simpleray.cli;
 import java.util.List;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.TypeConversionException;
-import simpleray.text.Numbers;
+import simpleray.text.NumberParser;
 
 /**
  * The values that the shininess takes one after another.
@@ -23,7 +23,7 @@ record Sweep(List<String> values) {
             }
             List<String> words = List.of(value.substring(NAME.length()).split(",", -1));
             for (String word : words) {
-                double number = Numbers.parseDouble(word);
+                double number = NumberParser.parseDouble(word);
                 if (Double.isNaN(number) || number < 0) {
                     throw new TypeConversionException("expected numbers of 0 or more such as shininess=2,5,20,100, found '" + word
                         + (words.size() > 1 ? "' in '" + value : "") + "'");

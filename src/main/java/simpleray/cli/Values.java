@@ -8,7 +8,7 @@ import simpleray.scene.PerspectiveCamera.Pose;
 import simpleray.scene.SceneSettings;
 import simpleray.scene.SceneSettings.Resolution;
 import simpleray.scene.SceneSettings.Window;
-import simpleray.text.Numbers;
+import simpleray.text.NumberParser;
 
 /** The values of options. What cannot be read is an IllegalArgumentException that says what was expected, and what was found. */
 final class Values {
@@ -18,8 +18,8 @@ final class Values {
     /** Reads {@code 640x480}. */
     static Resolution size(String value) {
         int x = Math.max(value.indexOf('x'), value.indexOf('X'));
-        Long width = x < 0 ? null : Numbers.parseInteger(value.substring(0, x), 1, SceneSettings.MAX_RESOLUTION);
-        Long height = x < 0 ? null : Numbers.parseInteger(value.substring(x + 1), 1, SceneSettings.MAX_RESOLUTION);
+        Long width = x < 0 ? null : NumberParser.parseInteger(value.substring(0, x), 1, SceneSettings.MAX_RESOLUTION);
+        Long height = x < 0 ? null : NumberParser.parseInteger(value.substring(x + 1), 1, SceneSettings.MAX_RESOLUTION);
         if (width == null || height == null) {
             throw expected("WxH such as 640x480, 1 to " + SceneSettings.MAX_RESOLUTION + " each", value);
         }
@@ -29,8 +29,8 @@ final class Values {
     /** Reads {@code 120,80}. */
     static ExplainCommand.Pixel pixel(String value) {
         int comma = value.indexOf(',');
-        Long x = comma < 0 ? null : Numbers.parseInteger(value.substring(0, comma), 0, Integer.MAX_VALUE);
-        Long y = comma < 0 ? null : Numbers.parseInteger(value.substring(comma + 1), 0, Integer.MAX_VALUE);
+        Long x = comma < 0 ? null : NumberParser.parseInteger(value.substring(0, comma), 0, Integer.MAX_VALUE);
+        Long y = comma < 0 ? null : NumberParser.parseInteger(value.substring(comma + 1), 0, Integer.MAX_VALUE);
         if (x == null || y == null) {
             throw expected("two integers from 0 such as 120,80", value);
         }
@@ -39,7 +39,7 @@ final class Values {
 
     /** Reads a number as a scene file has it. */
     static double number(String value) {
-        double number = Numbers.parseDouble(value);
+        double number = NumberParser.parseDouble(value);
         if (Double.isNaN(number)) {
             throw expected("a number", value);
         }
@@ -76,7 +76,7 @@ final class Values {
         String[] words = value.split(",", -1);
         int[] n = new int[4];
         for (int i = 0; i < n.length; i++) {
-            Long number = words.length == n.length ? Numbers.parseInteger(words[i], Integer.MIN_VALUE, Integer.MAX_VALUE) : null;
+            Long number = words.length == n.length ? NumberParser.parseInteger(words[i], Integer.MIN_VALUE, Integer.MAX_VALUE) : null;
             if (number == null) {
                 throw expected("four whole numbers such as 100,50,64,48", value);
             }
@@ -99,7 +99,7 @@ final class Values {
         String[] words = value.split(",", -1);
         double[] numbers = new double[count];
         for (int i = 0; i < count; i++) {
-            numbers[i] = words.length == count ? Numbers.parseDouble(words[i]) : Double.NaN;
+            numbers[i] = words.length == count ? NumberParser.parseDouble(words[i]) : Double.NaN;
             if (Double.isNaN(numbers[i])) {
                 throw expected(wanted, value);
             }

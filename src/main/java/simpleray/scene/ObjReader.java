@@ -14,10 +14,9 @@ import java.util.Map;
 import java.util.function.Consumer;
 import simpleray.io.MagicNumber;
 import simpleray.io.Sha256;
-import simpleray.text.Found;
-import simpleray.text.Numbers;
-import simpleray.text.Numerals;
+import simpleray.text.BadNumber;
 import simpleray.text.Diagnostic;
+import simpleray.text.NumberParser;
 import simpleray.text.SceneFormatException;
 
 /**
@@ -47,7 +46,7 @@ final class ObjReader {
     private static final String NOT_FINITE = "(?i)[+-]?(nan|inf|infinity)(\\(.*\\))?";
 
     private final LineReader lines;
-    private final Numerals numerals = new Numerals();
+    private final NumberParser numbers = new NumberParser();
     private byte[] bytes;                                     // of the line
     private int at;                                           // after the latest word of the line
     private int end;                                          // of the line
@@ -212,8 +211,8 @@ final class ObjReader {
     private double readNumber(String owner, int number, char axis) throws SceneFormatException, NotFiniteException {
         skipBlanks();
         int word = at;
-        double value = numerals.readDouble(bytes, word);
-        at = numerals.end();
+        double value = numbers.parseDouble(bytes, word);
+        at = numbers.end();
         return Math.abs(value) <= Lengths.MAX ? value : readUnusualNumber(word, owner, number, axis);
     }
 
@@ -221,7 +220,7 @@ final class ObjReader {
         at = begin;
         skipWord();
         String word = lines.text(begin, at);
-        double value = Numbers.parseDouble(word);
+        double value = NumberParser.parseDouble(word);
         if (Math.abs(value) <= Lengths.MAX) {
             return value;
         }
@@ -322,7 +321,7 @@ final class ObjReader {
     }
 
     private int normalIndex(int begin, String word, String index) throws SceneFormatException {
-        Long value = Numbers.parseInteger(index, Long.MIN_VALUE, Long.MAX_VALUE);
+        Long value = NumberParser.parseInteger(index, Long.MIN_VALUE, Long.MAX_VALUE);
         if (value != null && (value == 0 || value < -normalCount || value > normalCount)) {
             lacksNormals = true;
             return NONE;
@@ -331,9 +330,9 @@ final class ObjReader {
     }
 
     private int index(int begin, String word, String index, int count, String what) throws SceneFormatException {
-        Long value = Numbers.parseInteger(index, -count, count);
+        Long value = NumberParser.parseInteger(index, -count, count);
         if (value == null || value == 0) {
-            boolean number = Numbers.parseInteger(index, Long.MIN_VALUE, Long.MAX_VALUE) != null;
+            boolean number = NumberParser.parseInteger(index, Long.MIN_VALUE, Long.MAX_VALUE) != null;
             String range = number && count < Integer.MAX_VALUE ? " among the " + count + " so far" : "";
             throw error(begin, what + " index" + range, found(word));
         }
@@ -345,7 +344,7 @@ final class ObjReader {
     }
 
     private static String found(String word) {
-        return word.isEmpty() ? "the end of the line" : Found.word(word);
+        return word.isEmpty() ? "the end of the line" : BadNumber.describe(word);
     }
 
     private void addCorner(int vertex, int normal) {

@@ -9,7 +9,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
-import simpleray.text.Numbers;
+import simpleray.text.NumberParser;
 import simpleray.text.SceneReader;
 import simpleray.text.SceneWriter;
 import simpleray.text.SourceSpan;
@@ -104,7 +104,7 @@ public final class ViewLines {
         for (int i = 0; i < words.size(); i++) {
             SourceSpan word = words.get(i);
             String now = text((int) word.start(), (int) word.end());
-            if (Double.compare(Numbers.parseDouble(now), Double.parseDouble(line[i + 1])) != 0) {
+            if (Double.compare(NumberParser.parseDouble(now), Double.parseDouble(line[i + 1])) != 0) {
                 edits.add(new Edit((int) word.start(), (int) word.end(), line[i + 1]));
             }
         }

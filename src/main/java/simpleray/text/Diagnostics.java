@@ -46,8 +46,8 @@ final class Diagnostics {
     }
 
     /** Notes an error; throws if that is one too many. */
-    void note(Place place, String wanted, String found) throws SceneFormatException {
-        report(error(place, wanted, found));
+    void note(SourceLocation location, String wanted, String found) throws SceneFormatException {
+        report(problem(location, true, expected(wanted, found)));
     }
 
     /** Notes an error or warning; throws if that is one error too many. */
@@ -65,8 +65,13 @@ final class Diagnostics {
     }
 
     /** Notes an error after which there is no going on, and returns the exception to throw. */
-    SceneFormatException stop(Place place, String wanted, String found) {
-        errors.add(error(place, wanted, found));
+    SceneFormatException stop(SourceLocation location, String wanted, String found) {
+        return stop(location, expected(wanted, found));
+    }
+
+    /** Notes an error likewise; the message names nothing of what is being read. */
+    SceneFormatException stop(SourceLocation location, String message) {
+        errors.add(problem(location, true, message));
         return new SceneFormatException(errors, false);
     }
 
@@ -89,21 +94,21 @@ final class Diagnostics {
     }
 
     /** Notes the warning that a heading was skipped. */
-    void skipped(Place place, String heading) {
+    void skipped(SourceLocation location, String heading) {
         headings++;
-        warnings.add(problem(place, false,
+        warnings.add(problem(location, false,
             "expected a value or a comment, found the heading " + Diagnostic.quoted(heading) + ", which is skipped"));
     }
 
     /** Notes a warning about something of what is being read. */
-    void warn(Place place, String message) {
+    void warn(SourceLocation location, String message) {
         if (hasRoom()) {
-            warnings.add(problem(place, false, owner() + message));
+            warnings.add(problem(location, false, owner() + message));
         }
     }
 
-    private Diagnostic error(Place place, String wanted, String found) {
-        return problem(place, true, "expected " + owner() + wanted + ", found " + found);
+    private String expected(String wanted, String found) {
+        return "expected " + owner() + wanted + ", found " + found;
     }
 
     private String owner() {
@@ -114,7 +119,7 @@ final class Diagnostics {
         return owner.toString();
     }
 
-    private Diagnostic problem(Place place, boolean error, String message) {
-        return new Diagnostic(file, place.line(), place.column(), error, message, place.source(), place.begins());
+    private Diagnostic problem(SourceLocation location, boolean error, String message) {
+        return new Diagnostic(file, location.line(), location.column(), error, message, location.source(), location.begins());
     }
 }

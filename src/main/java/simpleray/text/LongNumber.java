@@ -1,23 +1,24 @@
 package simpleray.text;
 
 /**
- * A word too long for the memory, told character by character: if it is a number, a short one that means the same is made of it.
- * <em>Mutable.</em>
+ * A number too long for the memory, which is given character by character and becomes a short one of the same value. <em>Mutable.</em>
  *
- * <p>No double, and no point half-way between two, has more than 767 significant digits. Of those behind the first thousand it matters
+ * <p>No double, and no point half-way between two, has more than 767 significant digits. Of the digits after the first thousand it matters
  * only whether one is not 0.
  */
 final class LongNumber {
     private static final int MAX_DIGITS = 1000;
-    /** Beyond all exponents that make a difference. */
+    /** No {@code long} has more. */
+    private static final int LONG_DIGITS = 19;
+    /** Larger than all exponents that make a difference. */
     private static final long MAX_EXPONENT = 100_000;
     private static final long MAX_WRITTEN = Long.MAX_VALUE / 100;
 
     private final StringBuilder digits = new StringBuilder();
     private boolean negative;
-    private boolean more;            // there was a digit other than 0 behind those that are kept
-    private boolean some;            // there was a digit where there must be one
-    private long scale;              // the power of ten that the digits are to be multiplied by
+    private boolean more;            // a digit other than 0 follows those that are kept
+    private boolean some;            // there is a digit where one is needed
+    private long scale;              // the power of ten by which the digits are multiplied
     private long exponent;
     private boolean negativeExponent;
     private Part part = Part.START;
@@ -49,6 +50,11 @@ final class LongNumber {
         return part == Part.WRONG;
     }
 
+    /** {@return whether it is no {@code long}, whatever follows} */
+    boolean isNoLong() {
+        return part != Part.START && part != Part.WHOLE || digits.length() + scale > LONG_DIGITS;
+    }
+
     private void digit(char c) {
         some = true;
         if (part == Part.EXPONENT_START || part == Part.EXPONENT) {
@@ -72,7 +78,7 @@ final class LongNumber {
         }
     }
 
-    /** {@return a word of some thousand characters at most, which is the same integer, number or no number} */
+    /** {@return a number of the same value, an integer if this is one, of at most about a thousand characters; "" if this is no number} */
     @Override
     public String toString() {
         if (!some || part == Part.WRONG) {
@@ -82,7 +88,7 @@ final class LongNumber {
         if (part == Part.WHOLE && scale == 0) {
             return shown;
         }
-        // a last digit that stands for all that were dropped, one place below the others
+        // one more digit stands for all that were dropped
         long power = scale + (negativeExponent ? -exponent : exponent) - (more ? 1 : 0);
         return shown + (more ? "1" : "") + 'e' + Math.max(-MAX_EXPONENT, Math.min(MAX_EXPONENT, power));
     }

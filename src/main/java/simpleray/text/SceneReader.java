@@ -25,9 +25,9 @@ public final class SceneReader implements Closeable {
     private static final int BUFFER = 1 << 16;
     private static final Set<String> NO_KEYWORDS = Set.of();
 
-    private final Diagnostics problems;
+    private final Diagnostics diagnostics;
     private final Path folder;
-    final Tokenizer words;
+    final Tokenizer tokenizer;
     private final Map<Class<?>, Object> kept = new HashMap<>();
 
     /**
@@ -62,9 +62,9 @@ public final class SceneReader implements Closeable {
 
     /** Creates a reader that keeps so many bytes in memory, at least 4096. */
     SceneReader(InputStream is, String name, Path folder, int buffer) {
-        problems = new Diagnostics(name);
+        diagnostics = new Diagnostics(name);
         this.folder = folder;
-        words = new Tokenizer(is, buffer, problems);
+        tokenizer = new Tokenizer(is, buffer, diagnostics);
     }
 
     /**
@@ -85,7 +85,7 @@ public final class SceneReader implements Closeable {
      * @param most how many errors end the reading, 1 or more
      */
     public void tolerate(int most) {
-        problems.tolerate(most);
+        diagnostics.tolerate(most);
     }
 
     /**
@@ -95,7 +95,7 @@ public final class SceneReader implements Closeable {
      * @param number its number, from 1
      */
     public void enter(String name, int number) {
-        problems.enter(name, number);
+        diagnostics.enter(name, number);
     }
 
     /**
@@ -104,12 +104,12 @@ public final class SceneReader implements Closeable {
      * @param name the thing's name, as it stands before "red" or "x"
      */
     public void enter(String name) {
-        problems.enter(name, 0);
+        diagnostics.enter(name, 0);
     }
 
     /** Ends what the latest {@code enter} began. */
     public void leave() {
-        problems.leave();
+        diagnostics.leave();
     }
 
     /**
@@ -120,7 +120,7 @@ public final class SceneReader implements Closeable {
      */
     public char readChar() throws IOException {
         require(null, "a character");
-        return words.takeChar();
+        return tokenizer.takeChar();
     }
 
     /**
@@ -140,14 +140,14 @@ public final class SceneReader implements Closeable {
      * @throws IOException if the next word is no number, or the file cannot be read
      */
     public double readDouble(String field) throws IOException {
-        double value = words.takeDouble();
+        double value = tokenizer.takeDouble();
         if (Double.isNaN(value)) {
-            String word = word(field);
-            value = Numbers.parseDouble(word);
+            String word = word(field, false);
+            value = NumberParser.parseDouble(word);
             if (Double.isNaN(value)) {
-                reject(field);
-            } else if (value == 0 && Numbers.isTiny(word)) {
-                problems.warn(words.last(), field + ' ' + Diagnostic.quoted(words.lastWord()) + " is too small for a number, and read as 0");
+                refuse(field);
+            } else if (value == 0 && NumberParser.isTiny(word)) {
+                diagnostics.warn(tokenizer.last(), field + ' ' + Diagnostic.quoted(tokenizer.lastWord()) + " is too small for a number, and read as 0");
             }
         }
         return value;
@@ -160,9 +160,9 @@ public final class SceneReader implements Closeable {
      * @throws IOException if the next word is no number, or the file cannot be read
      */
     public float readFloat() throws IOException {
-        float value = Numbers.parseFloat(word("a number"));
+        float value = NumberParser.parseFloat(word("a number", false));
         if (Float.isNaN(value)) {
-            reject("a number");
+            refuse("a number");
         }
         return value;
     }
@@ -199,11 +199,11 @@ public final class SceneReader implements Closeable {
     }
 
     private long readInteger(String field, long least, long most) throws IOException {
-        long value = words.takeInteger();
-        if (value == Numerals.NO_INTEGER || value < least || value > most) {
-            Long other = value == Numerals.NO_INTEGER ? Numbers.parseInteger(word(field), least, most) : null;
+        long value = tokenizer.takeInteger();
+        if (value == NumberParser.NO_INTEGER || value < least || value > most) {
+            Long other = value == NumberParser.NO_INTEGER ? NumberParser.parseInteger(word(field, true), least, most) : null;
             if (other == null) {
-                throw problems.stop(words.last(), field, Found.integer(words.lastWord(), least, most));
+                throw diagnostics.stop(tokenizer.last(), field, BadNumber.describeInteger(tokenizer.lastWord(), least, most));
             }
             value = other;
         }
@@ -218,7 +218,7 @@ public final class SceneReader implements Closeable {
      * @throws IOException if the next word is not quoted, or the file cannot be read
      */
     public String readQuoted(String field) throws IOException {
-        String word = word(field);
+        String word = word(field, false);
         int close = word.indexOf('"', 1);
         if (!word.startsWith("\"") || close < 2 || close != word.length() - 1) {
             throw stop(field + " between double quotes");
@@ -243,7 +243,7 @@ public final class SceneReader implements Closeable {
      * @throws IOException if the file cannot be read
      */
     public boolean eof() throws IOException {
-        return !words.skip(NO_KEYWORDS);
+        return !tokenizer.skip(NO_KEYWORDS);
     }
 
     /**
@@ -254,22 +254,22 @@ public final class SceneReader implements Closeable {
      * @throws IOException if the file cannot be read
      */
     public String takeKeyword(Set<String> keywords) throws IOException {
-        return words.skip(keywords) && words.isNext(keywords) ? words.take() : null;
+        return tokenizer.skip(keywords) && tokenizer.isNext(keywords) ? tokenizer.take(false) : null;
     }
 
     /** {@return the line of the value just read, from 1} */
     public int line() {
-        return words.line();
+        return tokenizer.line();
     }
 
     /** {@return whether the value just read is the first on its line} */
     public boolean isFirstOnLine() {
-        return words.isFirstOnLine();
+        return tokenizer.isFirstOnLine();
     }
 
     /** Begins a group: the values read from here on may be rejected together. */
     public void group() {
-        words.beginGroup();
+        tokenizer.beginGroup();
     }
 
     /**
@@ -279,7 +279,7 @@ public final class SceneReader implements Closeable {
      * @throws SceneFormatException if that is one error too many
      */
     public void reject(String wanted) throws SceneFormatException {
-        problems.note(words.last(), wanted, Found.word(words.lastWord()));
+        diagnostics.note(tokenizer.last(), wanted, BadNumber.describe(tokenizer.lastWord()));
     }
 
     /**
@@ -289,7 +289,7 @@ public final class SceneReader implements Closeable {
      * @throws SceneFormatException if that is one error too many
      */
     public void report(Diagnostic problem) throws SceneFormatException {
-        problems.report(problem);
+        diagnostics.report(problem);
     }
 
     /**
@@ -299,7 +299,7 @@ public final class SceneReader implements Closeable {
      * @throws SceneFormatException if that is one error too many
      */
     public void rejectGroup(String wanted) throws SceneFormatException {
-        problems.note(words.group(), wanted, Diagnostic.quoted(words.groupWords()));
+        diagnostics.note(tokenizer.group(), wanted, Diagnostic.quoted(tokenizer.groupWords()));
     }
 
     /**
@@ -309,7 +309,7 @@ public final class SceneReader implements Closeable {
      * @return the exception to throw, with all errors so far
      */
     public SceneFormatException stop(String wanted) {
-        return problems.stop(words.last(), wanted, Found.word(words.lastWord()));
+        return diagnostics.stop(tokenizer.last(), wanted, BadNumber.describe(tokenizer.lastWord()));
     }
 
     /**
@@ -319,31 +319,39 @@ public final class SceneReader implements Closeable {
      * @throws IOException if an error was noted or something is left, or the file cannot be read
      */
     public void complete(String wanted) throws IOException {
-        if (words.skip(NO_KEYWORDS)) {
-            words.markNext();
+        if (tokenizer.skip(NO_KEYWORDS)) {
+            tokenizer.markNext();
             throw stop(wanted);
         }
-        problems.complete();
+        diagnostics.complete();
     }
 
     /** {@return the warnings so far, in the order of the file; the first thousand of them} */
     public List<Diagnostic> warnings() {
-        return problems.warnings();
+        return diagnostics.warnings();
     }
 
     @Override
     public void close() throws IOException {
-        words.close();
+        tokenizer.close();
     }
 
-    private String word(String field) throws IOException {
+    private String word(String field, boolean integer) throws IOException {
         require(NO_KEYWORDS, field);
-        return words.take();
+        return tokenizer.take(integer);
+    }
+
+    /** Notes that the word just read is no number; throws if it was not read to its end. */
+    private void refuse(String field) throws SceneFormatException {
+        if (tokenizer.isCut()) {
+            throw stop(field);
+        }
+        reject(field);
     }
 
     private void require(Set<String> keywords, String field) throws IOException {
-        if (!words.skip(keywords)) {
-            throw problems.stop(words.here(), field, problems.end());
+        if (!tokenizer.skip(keywords)) {
+            throw diagnostics.stop(tokenizer.here(), field, diagnostics.end());
         }
     }
 }

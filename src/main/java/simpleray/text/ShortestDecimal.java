@@ -10,7 +10,7 @@ import java.util.function.Predicate;
  * (Raffaello Giulietti, "The Schubfach way to render doubles", 2020). On older runtimes, whose {@code toString} is at times
  * longer, it is found here by trying one digit after another.
  */
-final class ShortestDecimal {
+public final class ShortestDecimal {
     private static final boolean PLATFORM_IS_SHORTEST = Runtime.version().feature() >= 19;
     /** No double needs more digits than these to be told from its neighbours. */
     private static final int DOUBLE_DIGITS = 17;
@@ -19,7 +19,13 @@ final class ShortestDecimal {
     private ShortestDecimal() {
     }
 
-    static String of(double d) {
+    /**
+     * Writes a number.
+     *
+     * @param d the number
+     * @return the shortest decimal that reads back as the same number
+     */
+    public static String of(double d) {
         return PLATFORM_IS_SHORTEST ? Double.toString(d) : search(d);
     }
 

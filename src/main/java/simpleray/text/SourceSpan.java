@@ -8,20 +8,20 @@ import java.util.List;
 import java.util.Set;
 
 /**
- * A piece of a scene file, by the offsets of its bytes: for those who change a word of a file and leave all else as it is.
+ * A part of a scene file, given by the offsets of its bytes, so that a word of a file can be changed and all else kept.
  * <em>Constant.</em>
  *
  * @param start the first byte's offset; a byte order mark counts
- * @param end the offset behind the last byte
+ * @param end the offset after the last byte
  */
 public record SourceSpan(long start, long end) {
     private static final int BUFFER = 1 << 16;
 
     /**
-     * Reads a scene file whose bytes are in memory.
+     * Creates a reader of a scene file whose bytes are in memory.
      *
      * @param bytes the file's bytes
-     * @param path the file, which messages name, and in whose folder lies what the scene names
+     * @param path the file, which messages name; files that the scene names are in its folder
      * @return a reader of the bytes
      */
     public static SceneReader reader(byte[] bytes, Path path) {
@@ -29,28 +29,28 @@ public record SourceSpan(long start, long end) {
     }
 
     /**
-     * Finds the value that a reader has just read.
+     * Returns the part of the file that is the value just read.
      *
-     * @param is the reader, which has read one
-     * @return the piece of the file where it stands
+     * @param is the reader, which has read a value
+     * @return where the value is in the file
      */
     public static SourceSpan last(SceneReader is) {
-        return is.words.lastSpan();
+        return is.tokenizer.lastSpan();
     }
 
     /**
-     * Finds the words of this piece. Comments and headings are none.
+     * Finds the words of this part. Comments and headings are none.
      *
      * @param bytes the file's bytes
-     * @return the words' own pieces, one after another
+     * @return the parts that are words, one after another
      * @throws IOException never
      */
     public List<SourceSpan> words(byte[] bytes) throws IOException {
-        Tokenizer words = new Tokenizer(new ByteArrayInputStream(bytes, (int) start, (int) (end - start)), BUFFER, new Diagnostics(""));
+        Tokenizer tokenizer = new Tokenizer(new ByteArrayInputStream(bytes, (int) start, (int) (end - start)), BUFFER, new Diagnostics(""));
         List<SourceSpan> found = new ArrayList<>();
-        while (words.skip(Set.of())) {
-            words.take();
-            SourceSpan word = words.lastSpan();
+        while (tokenizer.skip(Set.of())) {
+            tokenizer.take(false);
+            SourceSpan word = tokenizer.lastSpan();
             found.add(new SourceSpan(start + word.start, start + word.end));
         }
         return found;

@@ -5,100 +5,99 @@ import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.Locale;
 import java.util.Set;
+import simpleray.text.InputBuffer.Mark;
 
 /**
- * The words of a scene file, one after another: white space and comments are passed over, headings reported. <em>Mutable</em>, for
- * one thread. Text is UTF-8, a byte order mark is passed over; a line ends with LF, CR LF or CR.
+ * Splits a scene file into words. White space and comments are skipped, and so are headings, with a warning. <em>Mutable</em>, for
+ * one thread. Text is UTF-8, with or without a byte order mark; a line ends with LF, CR LF or CR.
  */
 final class Tokenizer {
     /** Begins a comment. */
     static final char COMMENT = '#';
 
     private static final char QUOTE = '"';
-    /** No longer in UTF-8 is any white space than these are. */
+    /** The most bytes of a white space character in UTF-8. */
     private static final int LONGEST_BLANK = 3;
     private static final int LONGEST_CHARACTER = 4;
+    /** The length at which a heading, or a word that is no number, is not read to its end: the file is no scene. */
+    private static final int MAX_LENGTH = 1 << 20;
 
     private final InputStream in;
-    private final Diagnostics problems;
+    private final Diagnostics diagnostics;
     private final Mark last = new Mark();
     private final Mark group = new Mark();                    // the first word taken since the group began
     private final Mark here = new Mark();
-    private final InputBuffer window;
-    private final Numerals numerals = new Numerals();
-    private boolean begun;
+    private final InputBuffer buffer;
+    private final NumberParser numbers = new NumberParser();
     private boolean grouped;
     private boolean first;           // the last word is the first on its line
-    private boolean half;            // of the next character, one char was taken already
+    private boolean cut;             // the last word was not read to its end
+    private boolean half;            // the first char of the next character is taken already
 
     /**
-     * Creates the words of a stream.
+     * Creates a tokenizer.
      *
      * @param in the stream, not read before {@link #skip}
      * @param size how many bytes of it to keep in memory
-     * @param problems told of each heading as it is skipped
+     * @param diagnostics gets a warning for each heading that is skipped
      */
-    Tokenizer(InputStream in, int size, Diagnostics problems) {
+    Tokenizer(InputStream in, int size, Diagnostics diagnostics) {
         this.in = in;
-        this.problems = problems;
-        window = new InputBuffer(in, size, last, group, here);
+        this.diagnostics = diagnostics;
+        buffer = new InputBuffer(in, size, last, group, here);
     }
 
     /**
      * Moves to the next word.
      *
-     * @param keywords words that begin no heading here; null when nothing is a heading here
+     * @param keywords the words that begin no heading here; null where there are no headings
      * @return false at the end of the file
-     * @throws IOException if the stream cannot be read
+     * @throws IOException if the stream cannot be read, or a heading is too long
      */
     boolean skip(Set<String> keywords) throws IOException {
-        while (true) {
-            if (window.toNumber()) {
-                return true;
-            }
-            if (window.at == window.filled) {
-                if (!begun) {
-                    window.begin();
-                    begun = true;
-                } else if (!window.fill()) {
+        while (!buffer.skipToNumber()) {
+            byte b = buffer.bytes[buffer.at];
+            if (buffer.at == buffer.filled) {
+                if (!buffer.fill()) {
                     return false;
                 }
-                continue;
-            }
-            byte b = window.bytes[window.at];
-            if (b == '\r') {
-                window.nextLine();
+            } else if (b == '\r') {
+                buffer.skipLineBreak();
             } else if (b == COMMENT) {
-                window.skipLine();
+                buffer.skipLine(Long.MAX_VALUE);
             } else {
                 if (b < 0) {
-                    window.ahead(LONGEST_BLANK);
+                    buffer.require(LONGEST_BLANK);
                 }
-                int blank = blank(window.at);
+                int blank = blank(buffer.at);
                 if (blank > 0) {
-                    window.at += blank;
-                } else if (isWord(keywords)) {
+                    buffer.at += blank;
+                } else if (!buffer.skipByteOrderMark() && !skipHeading(keywords)) {
                     return true;
                 }
             }
         }
+        return true;
     }
 
-    /** {@return whether a word begins here and no heading} A heading is passed over. */
-    private boolean isWord(Set<String> keywords) throws IOException {
-        if (last.line == window.line || keywords == null || !isHeading(keywords)) {
-            return true;
+    /** Skips a heading. {@return whether one begins here} */
+    private boolean skipHeading(Set<String> keywords) throws IOException {
+        if (last.line == buffer.line || keywords == null || !isHeading(keywords)) {
+            return false;
         }
-        window.mark(here);
-        here.end = window.skipLine();
-        if (problems.hasRoom()) {
-            Place place = window.place(here);
-            problems.skipped(place, place.word(here.end - here.start).strip());
+        buffer.mark(here);
+        here.end = buffer.skipLine(MAX_LENGTH);
+        if (buffer.offset(buffer.at) - here.start > MAX_LENGTH) {
+            throw diagnostics.stop(buffer.locate(here), "expected a heading of at most " + MAX_LENGTH + " bytes, found a longer one");
         }
-        return false;
+        if (diagnostics.hasRoom()) {
+            SourceLocation location = buffer.locate(here);
+            diagnostics.skipped(location, location.text(here.end - here.start).strip());
+        }
+        return true;
     }
 
-    /** A line that begins with a letter is a heading, but for keywords and for numbers that are none (spec of the format). */
+    /** {@return whether a line that begins here is a heading} It begins with a letter, and with no keyword, NaN or Infinity. */
     private boolean isHeading(Set<String> keywords) throws IOException {
         if (!beginsWithLetter()) {
             return false;
@@ -108,10 +107,10 @@ final class Tokenizer {
     }
 
     private boolean beginsWithLetter() throws IOException {
-        if (window.bytes[window.at] < 0) {
-            window.ahead(LONGEST_CHARACTER);
+        if (buffer.bytes[buffer.at] < 0) {
+            buffer.require(LONGEST_CHARACTER);
         }
-        return Character.isLetter(text(window.at, Math.min(window.filled, window.at + LONGEST_CHARACTER)).codePointAt(0));
+        return Character.isLetter(text(buffer.at, Math.min(buffer.filled, buffer.at + LONGEST_CHARACTER)).codePointAt(0));
     }
 
     /** {@return whether the word is the name, in any case, alone or before something that is no letter} */
@@ -120,67 +119,79 @@ final class Tokenizer {
             && (word.length() == name.length() || !Character.isLetter(word.codePointAt(name.length())));
     }
 
-    /** {@return whether one of these comes next: words that begin with letters} To be called where {@link #skip} has returned true. */
+    /** {@return whether the next word is one of these, which begin with letters} To be called after {@link #skip} has returned true. */
     boolean isNext(Set<String> keywords) throws IOException {
-        return Character.isLetter(window.bytes[window.at]) && keywords.contains(peek());
+        return Character.isLetter(buffer.bytes[buffer.at]) && keywords.contains(peek());
     }
 
-    /** {@return the next word, or as much of it as fits into memory} */
+    /** {@return the next word, or as much of it as fits into the buffer} */
     private String peek() throws IOException {
-        int end = wordEnd();                                  // moves window.at
-        return text(window.at, end);
+        int end = wordEnd();                                  // moves buffer.at
+        return text(buffer.at, end);
     }
 
-    /** Takes the next number if it is one of the usual form, and there are none but the usual blanks before it; else returns NaN. */
+    /** Takes the next number, if only spaces and line feeds are before it. {@return NaN if it must be taken as a word} */
     double takeDouble() throws IOException {
-        window.toNumber();                                    // or to what the next line says is none
-        double value = numerals.readDouble(window.bytes, window.at);
-        if (!Double.isNaN(value)) {
-            mark();
-            taken(numerals.end());
+        buffer.skipToNumber();
+        double value = numbers.parseDouble(buffer.bytes, buffer.at);
+        if (!Double.isFinite(value) || value == 0 && NumberParser.isTiny(buffer.bytes, buffer.at, numbers.end())) {
+            return Double.NaN;
         }
+        mark();
+        taken(numbers.end());
         return value;
     }
 
-    /** Takes the next integer likewise, one of up to 18 digits; else returns {@link Numerals#NO_INTEGER}. */
+    /** Takes the next integer likewise. {@return {@link NumberParser#NO_INTEGER} if it must be taken as a word} */
     long takeInteger() throws IOException {
-        window.toNumber();
-        long value = numerals.readInteger(window.bytes, window.at);
-        if (value != Numerals.NO_INTEGER) {
+        buffer.skipToNumber();
+        long value = numbers.parseInteger(buffer.bytes, buffer.at);
+        if (value != NumberParser.NO_INTEGER) {
             mark();
-            taken(numerals.end());
+            taken(numbers.end());
         }
         return value;
     }
 
-    /** {@return the next word; of a very long one, another that means the same} To be called where {@link #skip} has returned true. */
-    String take() throws IOException {
+    /**
+     * Takes the next word; to be called after {@link #skip} has returned true.
+     *
+     * @param integer whether it is to be an integer
+     * @return the word; for one that does not fit into the buffer, a short word that is the same number, or none
+     */
+    String take(boolean integer) throws IOException {
         mark();
         int end = wordEnd();
-        if (end == window.filled && !window.isEnded()) {
-            LongNumber number = new LongNumber();
-            while (window.ahead(LONGEST_BLANK) && !isEnd(window.at)) {
-                number.add((char) (window.bytes[window.at++] & 0xFF));
-                if (number.isWrong()) {
-                    window.at = window.wordEnd(window.at);   // a gigabyte of it may follow
-                }
-            }
-            taken(window.at);
-            return number.toString();
+        if (end < buffer.filled || buffer.isEnded()) {
+            String word = text(buffer.at, end);
+            taken(end);
+            return word;
         }
-        String word = text(window.at, end);
-        taken(end);
-        return word;
+        LongNumber number = new LongNumber();
+        while (!cut && buffer.require(LONGEST_BLANK) && !isWordEnd(buffer.at)) {
+            number.add((char) (buffer.bytes[buffer.at++] & 0xFF));
+            if (integer ? number.isNoLong() : number.isWrong()) {
+                buffer.at = buffer.wordEnd(buffer.at);
+                cut = buffer.offset(buffer.at) - last.start > MAX_LENGTH;
+            }
+        }
+        taken(buffer.at);
+        return number.toString();
     }
 
-    /** {@return the next character, half of it if it is one of two chars} To be called where {@link #skip} has returned true. */
+    /** {@return whether the word taken last was too long to be read to its end, and is no number} Nothing can be read after it. */
+    boolean isCut() {
+        return cut;
+    }
+
+    /** {@return the next character, or half of one that is two chars} To be called after {@link #skip} has returned true. */
     char takeChar() throws IOException {
-        first = last.line != window.line;
-        window.mark(last);
-        last.end = window.offset(wordEnd());
-        window.ahead(LONGEST_CHARACTER);
-        int end = Math.min(window.filled, window.at + LONGEST_CHARACTER);
-        String text = text(window.at, end);
+        first = last.line != buffer.line;
+        buffer.mark(last);
+        last.end = buffer.offset(wordEnd());
+        buffer.require(LONGEST_CHARACTER);
+        int end = Math.min(buffer.filled, buffer.at + LONGEST_CHARACTER);
+        String text = text(buffer.at, end);
         int length = Character.charCount(text.codePointAt(0));
         if (length > 1 && !half) {
             half = true;
@@ -189,12 +200,12 @@ final class Tokenizer {
         half = false;
         String behind = text.substring(length);
         do {
-            window.at++;
-        } while (!text(window.at, end).equals(behind));
+            buffer.at++;
+        } while (!text(buffer.at, end).equals(behind));
         return text.charAt(length - 1);
     }
 
-    /** Begins a group: the words taken from here on. */
+    /** Begins a group of the words that are taken from here on. */
     void beginGroup() {
         grouped = false;
     }
@@ -209,41 +220,41 @@ final class Tokenizer {
         return first;
     }
 
-    /** Marks the next word as the last, without taking it; to be called where {@link #skip} has returned true. */
+    /** Marks the next word as the last without taking it; to be called after {@link #skip} has returned true. */
     void markNext() throws IOException {
         mark();
-        last.end = window.offset(wordEnd());
+        last.end = buffer.offset(wordEnd());
     }
 
-    /** {@return the place of the word taken last} */
-    Place last() {
-        return window.place(last);
+    /** {@return the location of the word taken last} */
+    SourceLocation last() {
+        return buffer.locate(last);
     }
 
-    /** {@return the piece of the file that is the word taken last} */
+    /** {@return the part of the file that is the word taken last} */
     SourceSpan lastSpan() {
         return new SourceSpan(last.start, last.end);
     }
 
     /** {@return the word taken last, as much of it as messages show} */
     String lastWord() {
-        return last().word(last.end - last.start);
+        return last().text(last.end - last.start);
     }
 
-    /** {@return the place where the group begins} */
-    Place group() {
-        return window.place(group);
+    /** {@return the location where the group begins} */
+    SourceLocation group() {
+        return buffer.locate(group);
     }
 
-    /** {@return what was taken since the group began, if it is on one line, else its first word; as much of it as messages show} */
+    /** {@return the words of the group, if they are on one line, else the first one; as much of it as messages show} */
     String groupWords() {
-        return group().word((group.line == last.line ? last : group).end - group.start);
+        return group().text((group.line == last.line ? last : group).end - group.start);
     }
 
-    /** {@return the place that was reached} */
-    Place here() {
-        window.mark(here);
-        return window.place(here);
+    /** {@return the location that was reached} */
+    SourceLocation here() {
+        buffer.mark(here);
+        return buffer.locate(here);
     }
 
     void close() throws IOException {
@@ -251,57 +262,57 @@ final class Tokenizer {
     }
 
     private void mark() {
-        first = last.line != window.line;
-        window.mark(last);
+        first = last.line != buffer.line;
+        buffer.mark(last);
         if (!grouped) {
             group.copy(last);
             grouped = true;
         }
     }
 
-    /** Notes that the word just marked is taken, and ends here. */
+    /** Moves after the word just marked. */
     private void taken(int end) {
-        window.at = end;
+        buffer.at = end;
         half = false;
-        last.end = window.offset(end);
+        last.end = buffer.offset(end);
         if (group.start == last.start) {
             group.end = last.end;
         }
     }
 
     /**
-     * Finds where the word ends that begins here, which may read on and so move the window. Between double quotes it may hold white
+     * Finds the end of the word that begins here, which may read on and move the buffer. Between double quotes a word may contain white
      * space and {@code #}.
      *
-     * @return the index behind it; the window's end, and that is not the file's, if the word is longer than the window
+     * @return the index after it; if the word does not fit into the buffer, the buffer's end, which is not the file's
      */
     private int wordEnd() throws IOException {
-        int length = window.bytes[window.at] == QUOTE ? quotedLength() : 0;
+        int length = buffer.bytes[buffer.at] == QUOTE ? quotedLength() : 0;
         while (true) {
-            int i = window.at + length;
-            while (i < window.filled && !isEnd(i) && isSure(i)) {
+            int i = buffer.at + length;
+            while (i < buffer.filled && !isWordEnd(i) && isKnown(i)) {
                 i++;
             }
-            if (i < window.filled ? isSure(i) : window.isEnded()) {
+            if (i < buffer.filled ? isKnown(i) : buffer.isEnded()) {
                 return i;
             }
-            length = i - window.at;
-            if (!window.fill() && !window.isEnded()) {
-                return window.filled;
+            length = i - buffer.at;
+            if (!buffer.fill() && !buffer.isEnded()) {
+                return buffer.filled;
             }
         }
     }
 
-    /** {@return whether {@link #isEnd} knows all the bytes it may need} */
-    private boolean isSure(int index) {
-        return window.bytes[index] >= 0 || window.filled - index >= LONGEST_BLANK || window.isEnded();
+    /** {@return whether the buffer has all the bytes that {@link #isWordEnd} looks at} */
+    private boolean isKnown(int index) {
+        return buffer.bytes[index] >= 0 || buffer.filled - index >= LONGEST_BLANK || buffer.isEnded();
     }
 
-    /** {@return how far the closing quote is from the quote here; 0 if none closes on the line, or within the window} */
+    /** {@return the distance from the quote here to the closing one; 0 if there is none on the line, or in the buffer} */
     private int quotedLength() throws IOException {
         int length = 1;
-        while (window.at + length < window.filled || window.fill()) {
-            byte b = window.bytes[window.at + length];
+        while (buffer.at + length < buffer.filled || buffer.fill()) {
+            byte b = buffer.bytes[buffer.at + length];
             if (b == QUOTE) {
                 return length;
             }
@@ -313,19 +324,19 @@ final class Tokenizer {
         return 0;
     }
 
-    private boolean isEnd(int index) {
-        return window.bytes[index] == COMMENT || blank(index) > 0;
+    private boolean isWordEnd(int index) {
+        return buffer.bytes[index] == COMMENT || blank(index) > 0;
     }
 
-    /** {@return how many bytes long the white space is that stands here, line breaks too; 0 if none does} */
+    /** {@return the number of bytes of the white space character here, such as a line break; 0 if there is none} */
     private int blank(int index) {
-        byte[] bytes = window.bytes;
+        byte[] bytes = buffer.bytes;
         byte b = bytes[index];
         if (b >= 0) {
             return InputBuffer.isBlank(b) ? 1 : 0;
         }
         int length = b == (byte) 0xC2 ? 2 : LONGEST_BLANK;
-        boolean possible = (b == (byte) 0xC2 || b >= (byte) 0xE1 && b <= (byte) 0xE3) && index + length <= window.filled;
+        boolean possible = (b == (byte) 0xC2 || b >= (byte) 0xE1 && b <= (byte) 0xE3) && index + length <= buffer.filled;
         if (!possible) {
             return 0;
         }
@@ -334,6 +345,6 @@ final class Tokenizer {
     }
 
     private String text(int from, int to) {
-        return new String(window.bytes, from, to - from, StandardCharsets.UTF_8);
+        return new String(buffer.bytes, from, to - from, StandardCharsets.UTF_8);
     }
 }

@@ -5,7 +5,7 @@ import javax.swing.text.Segment;
 import org.fife.ui.rsyntaxtextarea.Token;
 import org.fife.ui.rsyntaxtextarea.TokenMakerBase;
 import org.fife.ui.rsyntaxtextarea.TokenTypes;
-import simpleray.text.Numbers;
+import simpleray.text.NumberParser;
 
 /** Finds what is to be coloured in a line of a scene file: comments, headings, keywords, numbers, names, and words that are none. */
 final class SceneTokens extends TokenMakerBase {
@@ -69,7 +69,7 @@ final class SceneTokens extends TokenMakerBase {
     }
 
     private static int type(String word) {
-        if (!Double.isNaN(Numbers.parseDouble(word))) {
+        if (!Double.isNaN(NumberParser.parseDouble(word))) {
             return TokenTypes.LITERAL_NUMBER_FLOAT;
         }
         if (word.charAt(0) == QUOTE) {

@@ -82,7 +82,7 @@ class SceneFileVastTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', quoteCharacter = '\'', value = {
-        "x | expected the number of objects, found the end of the file (1 line was skipped as a heading)",
+        "x | expected a heading of at most 1048576 bytes, found a longer one",
         "9 | expected the number of objects, found ''999999999999999999999999999999999999999999999999999999999999...'' (beyond 1.8e308, the largest number)",
         "* | expected the number of objects, found ''************************************************************...''",
         "' ' | expected the number of objects, found the end of the file",

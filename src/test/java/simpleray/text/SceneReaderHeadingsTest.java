@@ -55,7 +55,7 @@ class SceneReaderHeadingsTest {
         SceneReader is = reader("  " + word + " 1 2\n");
 
         assertThatThrownBy(is::readDouble).isInstanceOf(SceneFormatException.class).hasMessage(
-            "<stdin>:1:3: error: expected a number, found " + Found.word(word) + "\n  " + word + " 1 2\n  ^");
+            "<stdin>:1:3: error: expected a number, found " + BadNumber.describe(word) + "\n  " + word + " 1 2\n  ^");
         assertThat(is.warnings()).isEmpty();
     }
 
@@ -63,7 +63,7 @@ class SceneReaderHeadingsTest {
     @ValueSource(strings = {"_objects", "\"objects\"", "-objects", "*", "(1)"})
     void norDoesAnythingThatIsNoLetter(String word) {
         assertThatThrownBy(reader(word)::readDouble).isInstanceOf(SceneFormatException.class).hasMessage(
-            "<stdin>:1:1: error: expected a number, found " + Found.word(word) + "\n" + word + "\n^");
+            "<stdin>:1:1: error: expected a number, found " + BadNumber.describe(word) + "\n" + word + "\n^");
     }
 
     @Test

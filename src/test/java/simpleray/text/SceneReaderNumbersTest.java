@@ -39,14 +39,14 @@ class SceneReaderNumbersTest {
         "1.2.3", "1e2.5", "1_000", "\u0661", "1\u0662", "\u2212" + "1", "\uFF11", "abc", "1e5x", "\"1\""})
     void everythingElseIsNoNumber(String word) {
         assertThatThrownBy(() -> afterZero(word).readDouble()).isInstanceOf(SceneFormatException.class)
-            .hasMessage("<stdin>:1:3: error: expected a number, found " + Found.word(word) + "\n0 " + word + "\n  ^");
+            .hasMessage("<stdin>:1:3: error: expected a number, found " + BadNumber.describe(word) + "\n0 " + word + "\n  ^");
     }
 
     @ParameterizedTest
     @ValueSource(strings = {"nan", "1f", "0x10", "1e39", "1,5", "."})
     void norIsItAFloat(String word) {
         assertThatThrownBy(() -> afterZero(word).readFloat()).isInstanceOf(SceneFormatException.class)
-            .hasMessage("<stdin>:1:3: error: expected a number, found " + Found.word(word) + "\n0 " + word + "\n  ^");
+            .hasMessage("<stdin>:1:3: error: expected a number, found " + BadNumber.describe(word) + "\n0 " + word + "\n  ^");
     }
 
     @ParameterizedTest
@@ -54,14 +54,14 @@ class SceneReaderNumbersTest {
         "\u0661", "1,000", "nine"})
     void anIntegerHasNothingButDigitsAndFits(String word) {
         assertThatThrownBy(() -> afterZero(word).readInt()).isInstanceOf(SceneFormatException.class).hasMessage("<stdin>:1:3: error: expected an integer, found "
-                + Found.integer(word, Integer.MIN_VALUE, Integer.MAX_VALUE) + "\n0 " + word + "\n  ^");
+                + BadNumber.describeInteger(word, Integer.MIN_VALUE, Integer.MAX_VALUE) + "\n0 " + word + "\n  ^");
     }
 
     @ParameterizedTest
     @ValueSource(strings = {"9.0", "9223372036854775808", "-9223372036854775809", "1L"})
     void soDoesALongOne(String word) {
         assertThatThrownBy(() -> afterZero(word).readLong()).isInstanceOf(SceneFormatException.class)
-            .hasMessage("<stdin>:1:3: error: expected an integer, found " + Found.integer(word, Long.MIN_VALUE, Long.MAX_VALUE) + "\n0 " + word + "\n  ^");
+            .hasMessage("<stdin>:1:3: error: expected an integer, found " + BadNumber.describeInteger(word, Long.MIN_VALUE, Long.MAX_VALUE) + "\n0 " + word + "\n  ^");
     }
 
     @ParameterizedTest
@@ -69,7 +69,7 @@ class SceneReaderNumbersTest {
     void aCountIsAnIntegerOfZeroOrMore(String word) {
         assertThatThrownBy(() -> reader(word).readInt("the number of objects", 0, Integer.MAX_VALUE))
             .isInstanceOf(SceneFormatException.class)
-            .hasMessage("<stdin>:1:1: error: expected the number of objects, found " + Found.integer(word, 0, Integer.MAX_VALUE) + '\n' + word + "\n^");
+            .hasMessage("<stdin>:1:1: error: expected the number of objects, found " + BadNumber.describeInteger(word, 0, Integer.MAX_VALUE) + '\n' + word + "\n^");
     }
 
     @Test

@@ -33,7 +33,7 @@ class SceneReaderWordsTest {
         String word = "1" + character + "2";
 
         assertThatThrownBy(reader(word)::readInt).isInstanceOf(SceneFormatException.class)
-            .hasMessageStartingWith("<stdin>:1:1: error: expected an integer, found " + Found.word(word) + "\n");
+            .hasMessageStartingWith("<stdin>:1:1: error: expected an integer, found " + BadNumber.describe(word) + "\n");
     }
 
     @Test

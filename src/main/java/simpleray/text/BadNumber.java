@@ -3,43 +3,43 @@ package simpleray.text;
 import java.util.Locale;
 import java.util.regex.Pattern;
 
-/** Says what was found instead of a number: the word, and why it is none where that can be overlooked. */
-public final class Found {
+/** Describes, for a message, a word that was found in place of a number: the word, and why it is none where that is easily overlooked. */
+public final class BadNumber {
     private static final Pattern NOT_FINITE = Pattern.compile("[-+]?(nan|inf|infinity)");
     private static final Pattern HEXADECIMAL = Pattern.compile("[-+]?0x[0-9a-f.p+-]*");
     private static final Pattern SUFFIXED = Pattern.compile("[-+]?[0-9.]+(e[-+]?[0-9]+)?[dfl]");
     private static final Pattern NO_INTEGER = Pattern.compile("[-+]?[0-9]*[.,eE][-+0-9.,eE]*");
     private static final Pattern MANY = Pattern.compile("[-+0-9.eE]+(,[-+0-9.eE]+){2,}");
-    /** Minus signs, as they get into a text that a word processor has seen. */
+    /** Minus signs that a word processor puts in place of a hyphen. */
     private static final String DASHES = "\u2010\u2011\u2012\u2013\u2014\u2212\uFF0D";
     private static final String NOT_DECODED = "\uFFFD";
 
-    private Found() {
+    private BadNumber() {
     }
 
     /**
-     * Says what was found.
+     * Describes a word.
      *
      * @param word the word
      * @return the word in quotes and, unless it is a number or nothing like one, why it is none
      */
-    public static String word(String word) {
-        String why = Double.isNaN(Numbers.parseDouble(word)) ? why(word) : null;
+    public static String describe(String word) {
+        String why = Double.isNaN(NumberParser.parseDouble(word)) ? why(word) : null;
         return Diagnostic.quoted(word) + (why == null ? "" : " (" + why + ')');
     }
 
-    /** Says what was found instead of an integer between these. */
-    static String integer(String word, long least, long most) {
-        double value = Numbers.parseDouble(word);
+    /** Describes a word that is no integer in a range. */
+    static String describeInteger(String word, long min, long max) {
+        double value = NumberParser.parseDouble(word);
         if (NO_INTEGER.matcher(word).matches()) {
             return Diagnostic.quoted(word) + " (an integer has only digits)";
         }
         if (Double.isNaN(value)) {
-            return word(word);
+            return describe(word);
         }
-        boolean told = most < Integer.MAX_VALUE;              // a narrower range is one of what is read, which says so itself
-        String beyond = value < least / 2.0 + most / 2.0 ? " (less than " + least + ')' : " (more than " + most + ')';
-        return Diagnostic.quoted(word) + (told ? "" : beyond);
+        boolean named = max < Integer.MAX_VALUE;              // what was expected names a narrower range
+        String beyond = value < min / 2.0 + max / 2.0 ? " (less than " + min + ')' : " (more than " + max + ')';
+        return Diagnostic.quoted(word) + (named ? "" : beyond);
     }
 
     private static String why(String word) {
@@ -69,12 +69,12 @@ public final class Found {
         if (MANY.matcher(word).matches()) {
             return "values are separated by blanks";
         }
-        if (!Double.isNaN(Numbers.parseDouble(word.replace(',', '.')))) {
+        if (!Double.isNaN(NumberParser.parseDouble(word.replace(',', '.')))) {
             return "a decimal point is a '.'";
         }
         if (SUFFIXED.matcher(lower).matches()) {
             return "a number ends with a digit";
         }
-        return Numbers.isDecimal(word) ? "beyond 1.8e308, the largest number" : null;
+        return Double.isInfinite(NumberParser.parse(word)) ? "beyond 1.8e308, the largest number" : null;
     }
 }

@@ -12,7 +12,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /** Digits and powers of ten against {@link Double#parseDouble}; NaN leaves it to that. */
-class DecimalTest {
+class NumberParserNearestTest {
     private static final int SAMPLES = 50_000;
     private static final long SEED = 19900620;
 
@@ -21,14 +21,14 @@ class DecimalTest {
         "9007199254740992, 0, 9.007199254740992E15", "17976931348623157, -17, 0.17976931348623157", "3, 23, 3.0E23", "1, -23, 1.0E-23",
         "1, 64, 1.0E64", "1, -64, 1.0E-64", "0, 9999, 0.0"})
     void aDecimalIsItsNearestDouble(long digits, int power, double value) {
-        assertThat(Decimal.toDouble(digits, power)).isEqualTo(value);
+        assertThat(NumberParser.nearest(digits, power)).isEqualTo(value);
     }
 
     @ParameterizedTest
     @CsvSource({"9007199254740993, 0", "9007199254740995, 0", "18014398509481986, 0", "1, 65", "1, -65", "1, 400", "1, -9999",
         "90071992547409930, -1"})
     void halfWayBetweenTwoDoublesAndFarFromOneItIsLeftToJava(long digits, int power) {
-        assertThat(Decimal.toDouble(digits, power)).isNaN();
+        assertThat(NumberParser.nearest(digits, power)).isNaN();
     }
 
     @Test
@@ -49,7 +49,7 @@ class DecimalTest {
         for (int i = 0; i < SAMPLES; i++) {
             BigDecimal near = halfWay(random);
             String decimal = near.unscaledValue() + "e" + -near.scale();
-            double value = Decimal.toDouble(near.unscaledValue().longValue(), -near.scale());
+            double value = NumberParser.nearest(near.unscaledValue().longValue(), -near.scale());
             assertThat(value).as(decimal + ", seed " + SEED).isIn(Double.parseDouble(decimal), Double.NaN);
         }
     }
@@ -66,7 +66,7 @@ class DecimalTest {
         for (int i = 0; i < SAMPLES; i++) {
             double d = random.nextGaussian();
             BigDecimal decimal = new BigDecimal(Double.toString(Math.abs(d)));
-            double value = Decimal.toDouble(decimal.unscaledValue().longValueExact(), -decimal.scale());
+            double value = NumberParser.nearest(decimal.unscaledValue().longValueExact(), -decimal.scale());
             left += Double.isNaN(value) ? 1 : 0;
             assertThat(value).as("sample " + i + ", seed " + SEED).isIn(Math.abs(d), Double.NaN);
         }
@@ -78,7 +78,7 @@ class DecimalTest {
         for (int i = 0; i < SAMPLES; i++) {
             long digits = someDigits.getAsLong();
             int power = random.nextInt(2 * mostPower + 1) - mostPower;
-            double value = Decimal.toDouble(digits, power);
+            double value = NumberParser.nearest(digits, power);
             String decimal = Long.toUnsignedString(digits) + 'e' + power;
             if (!Double.isNaN(value) && Double.compare(value, Double.parseDouble(decimal)) != 0) {
                 return decimal + " gives " + value + ", seed " + SEED + ", sample " + i;

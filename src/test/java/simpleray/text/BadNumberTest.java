@@ -6,7 +6,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-class FoundTest {
+class BadNumberTest {
     @ParameterizedTest
     @CsvSource(delimiter = ';', quoteCharacter = '`', value = {"NaN; numbers must be finite", "-inf; numbers must be finite", "+Infinity; numbers must be finite",
         "0x10; numbers are decimal", "-0X1P3; numbers are decimal", "1,5; a decimal point is a '.'", "-,5e3; a decimal point is a '.'",
@@ -14,43 +14,43 @@ class FoundTest {
         "1e400; beyond 1.8e308, the largest number", "\u0661; numbers are written with 0 to 9, + and -",
         "\u22121; numbers are written with 0 to 9, + and -", "1\uFFFD; not UTF-8", "\uFFFD\uFFFD2; `not UTF-8; is the file UTF-16, or no text?`"})
     void whyAWordIsNoNumberIsTold(String word, String why) {
-        assertThat(Found.word(word)).isEqualTo("'" + word + "' (" + why + ')');
+        assertThat(BadNumber.describe(word)).isEqualTo("'" + word + "' (" + why + ')');
     }
 
     @ParameterizedTest
     @CsvSource(quoteCharacter = '"', value = {"200B", "00AD", "202E", "FEFF", "0008", "007F", "001B"})
     void whatCannotBeSeenIsTold(String code) {
-        assertThat(Found.word("1" + (char) Integer.parseInt(code, 16))).isEqualTo("'1\uFFFD' (with the invisible character U+" + code + ')');
+        assertThat(BadNumber.describe("1" + (char) Integer.parseInt(code, 16))).isEqualTo("'1\uFFFD' (with the invisible character U+" + code + ')');
     }
 
     @ParameterizedTest
     @ValueSource(strings = {"abc", "9x", "--1", "1e", ".", "", "1.2.3", "\u00BD", "5", "1e-400"})
     void ofOthersNothingIs(String word) {
-        assertThat(Found.word(word)).isEqualTo("'" + word + "'");
+        assertThat(BadNumber.describe(word)).isEqualTo("'" + word + "'");
     }
 
     @ParameterizedTest
     @CsvSource({"-1, less than 0", "2147483648, more than 2147483647", "-99999999999999999999, less than 0", "9.0, an integer has only digits",
         "1e9, an integer has only digits", "'2,', an integer has only digits", "NaN, numbers must be finite"})
     void whyAWordIsNoCountIsTold(String word, String why) {
-        assertThat(Found.integer(word, 0, Integer.MAX_VALUE)).isEqualTo("'" + word + "' (" + why + ')');
+        assertThat(BadNumber.describeInteger(word, 0, Integer.MAX_VALUE)).isEqualTo("'" + word + "' (" + why + ')');
     }
 
     @ParameterizedTest
     @CsvSource({"-2147483649, less than -2147483648", "2147483648, more than 2147483647"})
     void whyAWordIsNoIntegerIsTold(String word, String why) {
-        assertThat(Found.integer(word, Integer.MIN_VALUE, Integer.MAX_VALUE)).isEqualTo("'" + word + "' (" + why + ')');
+        assertThat(BadNumber.describeInteger(word, Integer.MIN_VALUE, Integer.MAX_VALUE)).isEqualTo("'" + word + "' (" + why + ')');
     }
 
     @ParameterizedTest
     @ValueSource(strings = {"\0001", "1\0000"})
     void aTextOfTwoBytesACharacterIsSuspected(String word) {
-        assertThat(Found.word(word)).isEqualTo("'" + word.replace('\0', '\uFFFD') + "' (with NUL bytes; is the file UTF-16, or no text?)");
+        assertThat(BadNumber.describe(word)).isEqualTo("'" + word.replace('\0', '\uFFFD') + "' (with NUL bytes; is the file UTF-16, or no text?)");
     }
 
     @ParameterizedTest
     @ValueSource(strings = {"-1", "1001"})
     void aNarrowRangeIsToldByWhoReads(String word) {
-        assertThat(Found.integer(word, 0, 1000)).isEqualTo("'" + word + "'");
+        assertThat(BadNumber.describeInteger(word, 0, 1000)).isEqualTo("'" + word + "'");
     }
 }
