@@ -2,6 +2,7 @@ package simpleray.scene;
 
 import java.io.IOException;
 import java.io.InputStream;
+import java.io.PushbackInputStream;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
@@ -10,6 +11,7 @@ import java.nio.file.Path;
 import java.security.DigestInputStream;
 import java.util.Arrays;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
 import simpleray.io.MagicNumber;
@@ -115,14 +117,15 @@ final class ObjReader {
 
     /** Reads the text of an OBJ; messages call it by this name. */
     static Triangles read(InputStream in, String name, Consumer<Diagnostic> warnings) throws IOException {
-        ObjReader reader = new ObjReader(new LineReader(in, name));
-        boolean more = reader.lines.read();
-        if (more && MagicNumber.isUtf16(reader.lines.bytes, reader.lines.begin, reader.lines.end)) {
-            throw reader.lines.error(reader.lines.begin, "text in UTF-8", "UTF-16");
+        PushbackInputStream begun = new PushbackInputStream(in, MagicNumber.LENGTH);
+        String kind = MagicNumber.nameOf(begun);
+        if (kind != null) {
+            String message = "expected text in UTF-8, found " + kind;
+            throw new SceneFormatException(List.of(new Diagnostic(name, 1, 1, true, message, null)), false);
         }
-        while (more) {
+        ObjReader reader = new ObjReader(new LineReader(begun, name));
+        while (reader.lines.read()) {
             reader.readLine();
-            more = reader.lines.read();
         }
         return reader.triangles(warnings);
     }

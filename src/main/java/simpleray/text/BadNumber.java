@@ -21,9 +21,12 @@ public final class BadNumber {
      * Describes a word.
      *
      * @param word the word
-     * @return the word in quotes and, unless it is a number or nothing like one, why it is none
+     * @return the word in quotes and, unless it is a number or nothing like one, why it is none; what it is if it is no text
      */
     public static String describe(String word) {
+        if (Diagnostic.isBinary(word)) {
+            return word.charAt(0) == 0 ? "NUL bytes" : "bytes that are no text in UTF-8";
+        }
         String why = Double.isNaN(NumberParser.parseDouble(word)) ? why(word) : null;
         return Diagnostic.quoted(word) + (why == null ? "" : " (" + why + ')');
     }

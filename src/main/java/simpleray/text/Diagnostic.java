@@ -16,6 +16,8 @@ public record Diagnostic(String file, int line, int column, boolean error, Strin
     private static final int SHOWN = 160;
     private static final int LONGEST_WORD = 60;
     private static final String CUT = "...";
+    /** The characters that stand for others, so many of them that nobody wants to see more. */
+    private static final String BINARY = "\uFFFD".repeat(8);
 
     /**
      * Creates a problem with its whole line.
@@ -36,13 +38,13 @@ public record Diagnostic(String file, int line, int column, boolean error, Strin
         return printable(file) + ':' + line + ':' + column + (error ? ": error: " : ": warning: ") + message;
     }
 
-    /** {@return the headline, under it the source line if it is known, under that a caret at the column; no line break at the end} */
+    /** {@return the headline, under it the source line if it is known and a text, under that a caret at the column; no line break at the end} */
     @Override
     public String toString() {
-        if (source == null) {
+        int at = source == null ? 0 : source.offsetByCodePoints(0, Math.min(column - begins, source.codePointCount(0, source.length())));
+        if (source == null || isBinary(source.substring(at))) {
             return headline();
         }
-        int at = source.offsetByCodePoints(0, Math.min(column - begins, source.codePointCount(0, source.length())));
         int from = source.length() <= SHOWN ? 0 : Math.max(0, at - SHOWN / 2);
         int to = Math.min(source.length(), from + SHOWN);
         if (from > 0 && Character.isLowSurrogate(source.charAt(from))) {
@@ -56,7 +58,10 @@ public record Diagnostic(String file, int line, int column, boolean error, Strin
         StringBuilder caret = new StringBuilder(" ".repeat(head.length()));
         // a tab above is a tab below, so that the caret stands under its word however wide tabs are
         source.substring(from, at).codePoints().forEach(c -> caret.append(c == '\t' ? '\t' : ' '));
-        return headline() + '\n' + head + printable(source.substring(from, to)) + tail + '\n' + caret + '^';
+        String shown = printable(source.substring(from, to));
+        int row = shown.indexOf(BINARY, at - from);
+        shown = row < 0 ? shown + tail : shown.substring(0, row) + CUT;
+        return headline() + '\n' + head + shown + '\n' + caret + '^';
     }
 
     /**
@@ -69,6 +74,11 @@ public record Diagnostic(String file, int line, int column, boolean error, Strin
         int length = word.codePointCount(0, word.length());
         String shown = length <= LONGEST_WORD ? word : word.substring(0, word.offsetByCodePoints(0, LONGEST_WORD)) + CUT;
         return '\'' + printable(shown) + '\'';
+    }
+
+    /** {@return whether a text begins with a row of characters that cannot be shown} */
+    static boolean isBinary(String text) {
+        return text.length() >= BINARY.length() && printable(text.substring(0, BINARY.length())).equals(BINARY);
     }
 
     /** {@return whether a character steers how others are shown, and is not seen itself} */

@@ -2,6 +2,7 @@ package simpleray.text;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -46,6 +47,15 @@ class BadNumberTest {
     @ValueSource(strings = {"\0001", "1\0000"})
     void aTextOfTwoBytesACharacterIsSuspected(String word) {
         assertThat(BadNumber.describe(word)).isEqualTo("'" + word.replace('\0', '\uFFFD') + "' (with NUL bytes; is the file UTF-16, or no text?)");
+    }
+
+    @Test
+    void ofManyBytesThatAreNoTextTheNameIsTold() {
+        assertThat(BadNumber.describe("\0".repeat(8))).isEqualTo("NUL bytes");
+        assertThat(BadNumber.describe("\uFFFD".repeat(8))).isEqualTo("bytes that are no text in UTF-8");
+        assertThat(BadNumber.describeInteger("\1\uFFFD".repeat(4) + "1", 0, 9)).isEqualTo("bytes that are no text in UTF-8");
+        assertThat(BadNumber.describe("\uFFFD".repeat(7))).startsWith("'\uFFFD");
+        assertThat(BadNumber.describe("\uFFFD".repeat(7) + "1")).startsWith("'\uFFFD");
     }
 
     @ParameterizedTest

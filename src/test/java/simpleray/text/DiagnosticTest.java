@@ -24,6 +24,14 @@ class DiagnosticTest {
     }
 
     @Test
+    void noneDoesIfNothingButBytesThatAreNoTextStandsThere() {
+        assertThat(new Diagnostic("f", 1, 3, true, "m", "0 " + "\uFFFD".repeat(8))).hasToString("f:1:3: error: m");
+        assertThat(new Diagnostic("f", 1, 3, true, "m", "0 " + "\0".repeat(9))).hasToString("f:1:3: error: m");
+        assertThat(new Diagnostic("f", 1, 3, true, "m", "0 a" + "\uFFFD".repeat(8) + "b")).hasToString("f:1:3: error: m\n0 a...\n  ^");
+        assertThat(new Diagnostic("f", 1, 3, true, "m", "0 " + "\uFFFD".repeat(7))).hasToString("f:1:3: error: m\n0 " + "\uFFFD".repeat(7) + "\n  ^");
+    }
+
+    @Test
     void aLineOf160CharactersIsShownWhole() {
         String source = "x".repeat(160);
         assertThat(new Diagnostic("f", 1, 160, true, "m", source)).hasToString(
