@@ -16,11 +16,11 @@ public record Diagnostic(String file, int line, int column, boolean error, Strin
     private static final int SHOWN = 160;
     private static final int LONGEST_WORD = 60;
     private static final String CUT = "...";
-    /** The characters that stand for others, so many of them that nobody wants to see more. */
+    /** A row of replacement characters that is not worth showing. */
     private static final String BINARY = "\uFFFD".repeat(8);
 
     /**
-     * Creates a problem with its whole line.
+     * Creates an error or warning with its whole line.
      *
      * @param file the file as the user named it
      * @param line the line, counted from 1
@@ -81,14 +81,14 @@ public record Diagnostic(String file, int line, int column, boolean error, Strin
         return text.length() >= BINARY.length() && printable(text.substring(0, BINARY.length())).equals(BINARY);
     }
 
-    /** {@return whether a character steers how others are shown, and is not seen itself} */
+    /** {@return whether a character is invisible and changes how others are shown} */
     static boolean isHidden(int c) {
         int type = Character.getType(c);
         return type == Character.FORMAT || type == Character.LINE_SEPARATOR || type == Character.PARAGRAPH_SEPARATOR;
     }
 
     /**
-     * Makes a text fit for a terminal, which no file is to steer.
+     * Makes a text safe for a terminal.
      *
      * @param text the text
      * @return the text with every control character but the tab, and every invisible one, replaced

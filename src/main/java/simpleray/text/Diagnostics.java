@@ -4,9 +4,9 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 
-/** What was found wrong with a scene file so far, and what the values being read belong to. <em>Mutable</em>, for one thread. */
+/** The errors and warnings of a scene file so far, and the thing that the next values belong to. <em>Mutable</em>, for one thread. */
 final class Diagnostics {
-    /** No more warnings than these are kept: a book read by mistake has a heading in every line. */
+    /** The most warnings that are kept: a book read by mistake has a heading in every line. */
     private static final int MAX_WARNINGS = 1000;
 
     private static final int DEEP = 8;
@@ -16,19 +16,19 @@ final class Diagnostics {
     private final List<Diagnostic> warnings = new ArrayList<>();
     private final List<String> owners = new ArrayList<>();
     private int[] numbers = new int[DEEP];                    // the owners' numbers, 0 for none
-    private int mostErrors = 1;
+    private int maxErrors = 1;
     private int headings;
 
-    /** Begins without a problem; the file's name is for messages. */
+    /** Creates an empty list; the file's name is for messages. */
     Diagnostics(String file) {
         this.file = file;
     }
 
-    void tolerate(int most) {
-        mostErrors = most;
+    void tolerate(int max) {
+        maxErrors = max;
     }
 
-    /** Says what the next values belong to: "object" and 3 for "object 3's", the name and 0 for the name alone. */
+    /** Names the thing that the next values belong to: "object" and 3 for "object 3's", the name and 0 for the name alone. */
     void enter(String name, int number) {
         if (owners.size() == numbers.length) {
             numbers = Arrays.copyOf(numbers, 2 * numbers.length);
@@ -45,12 +45,12 @@ final class Diagnostics {
         return List.copyOf(warnings);
     }
 
-    /** Notes an error; throws if that is one too many. */
+    /** Notes an error; throws if there are too many. */
     void note(SourceLocation location, String wanted, String found) throws SceneFormatException {
         report(problem(location, true, expected(wanted, found)));
     }
 
-    /** Notes an error or warning; throws if that is one error too many. */
+    /** Notes an error or warning; throws if there are too many errors. */
     void report(Diagnostic problem) throws SceneFormatException {
         if (!problem.error()) {
             if (hasRoom()) {
@@ -59,17 +59,17 @@ final class Diagnostics {
             return;
         }
         errors.add(problem);
-        if (errors.size() >= mostErrors) {
-            throw new SceneFormatException(errors, mostErrors > 1);
+        if (errors.size() >= maxErrors) {
+            throw new SceneFormatException(errors, maxErrors > 1);
         }
     }
 
-    /** Notes an error after which there is no going on, and returns the exception to throw. */
+    /** Notes an error after which the rest cannot be read. {@return the exception to throw} */
     SceneFormatException stop(SourceLocation location, String wanted, String found) {
         return stop(location, expected(wanted, found));
     }
 
-    /** Notes an error likewise; the message names nothing of what is being read. */
+    /** Notes an error likewise, with a message that does not name the thing being read. */
     SceneFormatException stop(SourceLocation location, String message) {
         errors.add(problem(location, true, message));
         return new SceneFormatException(errors, false);
@@ -87,20 +87,20 @@ final class Diagnostics {
         return warnings.size() < MAX_WARNINGS;
     }
 
-    /** {@return what is found at the end of the file} Whose values are all in lines that begin with a letter, sees none of them. */
+    /** {@return what was found at the end of the file} Skipped headings are counted, since values may be in them by mistake. */
     String end() {
         return "the end of the file" + (headings == 0 ? "" : headings == 1 ? " (1 line was skipped as a heading)"
             : " (" + headings + " lines were skipped as headings)");
     }
 
-    /** Notes the warning that a heading was skipped. */
+    /** Warns that a heading is skipped. */
     void skipped(SourceLocation location, String heading) {
         headings++;
         warnings.add(problem(location, false,
             "expected a value or a comment, found the heading " + Diagnostic.quoted(heading) + ", which is skipped"));
     }
 
-    /** Notes a warning about something of what is being read. */
+    /** Warns about a value that is being read. */
     void warn(SourceLocation location, String message) {
         if (hasRoom()) {
             warnings.add(problem(location, false, owner() + message));

@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.util.List;
 import java.util.stream.Collectors;
 
-/** A scene file that says something else than the format allows: one error or more, each with its place. */
+/** A scene file is not in the format: one error or more, each with its location. */
 public final class SceneFormatException extends IOException {
     private static final long serialVersionUID = 1L;
 
@@ -23,7 +23,7 @@ public final class SceneFormatException extends IOException {
         this.problems = List.copyOf(problems);
     }
 
-    /** Leaves out the stack trace, which takes longer than to read a small file: what is wrong is in the file. */
+    /** Leaves out the stack trace, which takes longer than reading a small file, and tells nothing about the file. */
     @Override
     public Throwable fillInStackTrace() {
         return this;

@@ -15,11 +15,11 @@ import java.util.function.Function;
 /**
  * Reads values from a scene file (thesis, chapter 5). <em>Mutable</em>, for one thread.
  * <p>Values are words between white space. {@code #} begins a comment that ends with its line. A line that begins with a letter
- * is a heading: it is skipped, with a warning. Whoever reads says what it reads, {@link #enter(String, int) enter("object", 3)} and
+ * is a heading: it is skipped, with a warning. Each class names what it reads, by {@link #enter(String, int) enter("object", 3)} and
  * then {@link #readDouble(String) readDouble("radius")}, so that an error can say "expected object 3's radius".
  *
- * <p>The first error throws, unless {@link #tolerate} asked for more; then a bad number is noted, read as NaN, and reading goes on
- * until {@link #complete}. An error that leaves no way to go on throws at once, with those noted before it.
+ * <p>The first error throws, unless {@link #tolerate} allows more; then a bad number is noted and read as NaN, and reading goes on
+ * until {@link #complete}. An error after which the rest cannot be read throws at once, with those noted before it.
  */
 public final class SceneReader implements Closeable {
     private static final int BUFFER = 1 << 16;
@@ -54,7 +54,7 @@ public final class SceneReader implements Closeable {
      *
      * @param is the stream, UTF-8
      * @param name what messages call the file
-     * @param folder where the files lie that it names
+     * @param folder the folder of the files that it names
      */
     public SceneReader(InputStream is, String name, Path folder) {
         this(is, name, folder, BUFFER);
@@ -68,28 +68,28 @@ public final class SceneReader implements Closeable {
     }
 
     /**
-     * Finds what those who read share until the file ends.
+     * Returns the object of a class that all who read this file share.
      *
-     * @param <T> its class, of which there is one
-     * @param type its class
-     * @param maker makes it, of its class, when it is first asked for
-     * @return the same each time
+     * @param <T> the class
+     * @param type the class
+     * @param maker creates the object when it is first asked for
+     * @return the object, the same each time
      */
     public <T> T kept(Class<T> type, Function<Class<?>, T> maker) {
         return type.cast(kept.computeIfAbsent(type, maker));
     }
 
     /**
-     * Makes errors wait: a bad number is noted and reading goes on, until there are this many.
+     * Lets reading go on after a bad number, until there are too many.
      *
-     * @param most how many errors end the reading, 1 or more
+     * @param max the number of errors that ends reading, 1 or more
      */
-    public void tolerate(int most) {
-        diagnostics.tolerate(most);
+    public void tolerate(int max) {
+        diagnostics.tolerate(max);
     }
 
     /**
-     * Says what the next values belong to, until {@link #leave}: "object" and 3 give "object 3's …".
+     * Names the thing that the next values belong to, until {@link #leave}: "object" and 3 give "object 3's …".
      *
      * @param name the thing's name
      * @param number its number, from 1
@@ -99,7 +99,7 @@ public final class SceneReader implements Closeable {
     }
 
     /**
-     * Says what the next values belong to, until {@link #leave}.
+     * Names the thing that the next values belong to, until {@link #leave}.
      *
      * @param name the thing's name, as it stands before "red" or "x"
      */
@@ -113,7 +113,7 @@ public final class SceneReader implements Closeable {
     }
 
     /**
-     * Reads a character: the next that is neither white space nor comment.
+     * Reads the next character that is neither white space nor in a comment.
      *
      * @return the character
      * @throws IOException at the end of the file, or if it cannot be read
@@ -180,13 +180,13 @@ public final class SceneReader implements Closeable {
      * Reads an integer on which the reading of what follows depends: a bad one is never tolerated.
      *
      * @param field what it is, for the message
-     * @param least the smallest integer allowed
-     * @param most the largest integer allowed
+     * @param min the smallest integer allowed
+     * @param max the largest integer allowed
      * @return the integer
      * @throws IOException if the next word is no such integer, or the file cannot be read
      */
-    public int readInt(String field, int least, int most) throws IOException {
-        return (int) readInteger(field, least, most);
+    public int readInt(String field, int min, int max) throws IOException {
+        return (int) readInteger(field, min, max);
     }
 
     /**
@@ -198,12 +198,12 @@ public final class SceneReader implements Closeable {
         return readInteger("an integer", Long.MIN_VALUE, Long.MAX_VALUE);
     }
 
-    private long readInteger(String field, long least, long most) throws IOException {
+    private long readInteger(String field, long min, long max) throws IOException {
         long value = tokenizer.takeInteger();
-        if (value == NumberParser.NO_INTEGER || value < least || value > most) {
-            Long other = value == NumberParser.NO_INTEGER ? NumberParser.parseInteger(word(field, true), least, most) : null;
+        if (value == NumberParser.NO_INTEGER || value < min || value > max) {
+            Long other = value == NumberParser.NO_INTEGER ? NumberParser.parseInteger(word(field, true), min, max) : null;
             if (other == null) {
-                throw diagnostics.stop(tokenizer.last(), field, BadNumber.describeInteger(tokenizer.lastWord(), least, most));
+                throw diagnostics.stop(tokenizer.last(), field, BadNumber.describeInteger(tokenizer.lastWord(), min, max));
             }
             value = other;
         }
@@ -227,7 +227,7 @@ public final class SceneReader implements Closeable {
     }
 
     /**
-     * Finds a file that the scene names.
+     * Returns the path of a file that the scene names.
      *
      * @param name the name, as it stands in the scene file
      * @return the file's path: relative to the scene file's folder, or to the working directory if the scene comes from a stream
@@ -293,7 +293,7 @@ public final class SceneReader implements Closeable {
     }
 
     /**
-     * Notes that the values read since {@link #group} make no sense together; the place is the first one's.
+     * Notes that the values read since {@link #group} make no sense together. The error is located at the first of them.
      *
      * @param wanted what was expected instead
      * @throws SceneFormatException if that is one error too many
@@ -303,7 +303,7 @@ public final class SceneReader implements Closeable {
     }
 
     /**
-     * Notes that the value just read makes no sense, and that nothing after it can be understood for this.
+     * Notes that the value just read is wrong, and that the rest cannot be read without it.
      *
      * @param wanted what was expected instead
      * @return the exception to throw, with all errors so far

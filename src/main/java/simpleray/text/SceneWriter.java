@@ -40,7 +40,7 @@ public final class SceneWriter implements Closeable {
     }
 
     /**
-     * Hands on all that was written so far.
+     * Writes out what is buffered.
      *
      * @throws IOException if it cannot be written
      */
