@@ -80,6 +80,7 @@ final class MixedScenes {
     private static Material glass(Random random) {
         Material material = mirror(random);
         material.diffuse = new Colour();
+        material.mirror = colour(random, 0.4);
         material.transmission = colour(random, 0.9);
         material.index = 1 + random.nextDouble();
         return material;

@@ -116,7 +116,7 @@ class PovrayWitnessTest {
         int depth = scene.settings.depth == null ? RenderSettings.DEFAULT_DEPTH : scene.settings.depth;
         for (int i = 0; i < scene.getNumberObjects(); i++) {
             Material material = scene.getObject(i).surfaceMaterial;
-            boolean follows = !material.specular.isBlack() || !material.transmission.isBlack();
+            boolean follows = !material.mirrored().isBlack() || !material.transmission.isBlack();
             if (follows && material.reflections() > 0) {
                 depth = Math.min(depth, material.reflections());
             }

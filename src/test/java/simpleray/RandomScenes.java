@@ -117,6 +117,9 @@ public final class RandomScenes {
             material.transmission = colour(0.9);
             material.index = 1 + random.nextDouble();
         }
+        if (random.nextInt(4) == 0) {
+            material.mirror = random.nextBoolean() ? colour(0.8) : new Colour();
+        }
         return material;
     }
 

@@ -97,6 +97,9 @@ final class StoryJson {
         colour("Kd", material.diffuse);
         colour("Ks", material.specular);
         value("shininess", material.shininess);
+        if (material.mirror != null) {
+            colour("mirror", material.mirror);
+        }
         colour("Kt", material.transmission);
         value("index", material.index);
         out.append('}');

@@ -33,6 +33,7 @@ final class PovMaterial {
     private final Colour ambient;
     private final Colour diffuse;
     private final Colour specular;
+    private final Colour mirror;
     private final Colour transmission;
     private final double shininess;
     private final double index;
@@ -49,11 +50,12 @@ final class PovMaterial {
         ambient = shown.of(Colour.mult(material.ambient, light));
         diffuse = shown.of(material.diffuse);
         specular = shown.of(material.specular);
+        mirror = shown.of(material.mirrored());
         transmission = shown.of(material.transmission);
         shininess = material.shininess;
         index = material.index;
         transmits = !transmission.isBlack();
-        follows = Math.min(depth, material.reflections()) > 0 && (transmits || !specular.isBlack());
+        follows = Math.min(depth, material.reflections()) > 0 && (transmits || !mirror.isBlack());
     }
 
     /** {@return whether rays pass through it} */
@@ -86,7 +88,7 @@ final class PovMaterial {
                 os.writeString(" }");
                 return;
             }
-            Colour internal = Colour.add(specular, transmission);     // what the mirror ray carries if nothing is refracted
+            Colour internal = Colour.add(mirror, transmission);     // what the mirror ray carries if nothing is refracted
             boolean dimmed = bends() && !(internal.r == 1 && internal.g == 1 && internal.b == 1);
             os.writeString("texture { ");
             clear(os, transmission);
@@ -144,10 +146,10 @@ final class PovMaterial {
         if (!specular.isBlack()) {
             PovWriter.value(os, " specular ", mean(specular));
             PovWriter.value(os, " roughness ", Math.min(1 / shininess, ROUGHEST));
-            if (follows) {
-                PovWriter.colour(os, " reflection { ", specular);
-                os.writeString(" }");
-            }
+        }
+        if (follows && !mirror.isBlack()) {
+            PovWriter.colour(os, " reflection { ", mirror);
+            os.writeString(" }");
         }
         os.writeString(" }");
     }

@@ -149,7 +149,7 @@ public final class StoryText {
         hit.lamps().forEach(lamp -> tell(lamp, material));
         say("diffuse of all lights: " + colour(hit.diffuse()));
         say("specular of all lights: " + colour(hit.specular()));
-        tell(hit.mirror(), "mirror ray", "Ks");
+        tell(hit.mirror(), "mirror ray", material.mirror == null ? "Ks" : "mirror");
         tell(hit.refracted(), "refracted ray", "Kt");
     }
 

@@ -7,11 +7,13 @@ import simpleray.text.SceneReader;
 import simpleray.text.SceneWriter;
 
 /**
- * The optical properties of a surface: ambient, diffuse and specular colour and shininess (thesis, chapters 4 and 5), and transmission
- * (Whitted 1980).
+ * The optical properties of a surface: ambient, diffuse and specular colour and shininess (thesis, chapters 4 and 5), transmission
+ * (Whitted 1980), and a mirror image that may differ from the highlight.
  */
 public final class Material {
-    private static final Set<String> TRANSMIT = Set.of("transmit");
+    private static final String MIRROR = "mirror";
+    private static final Set<String> KEYWORDS = Set.of(MIRROR, "transmit");
+    private static final Set<String> ONLY_MIRROR = Set.of(MIRROR);
 
     /** The share of the scene's ambient light that the surface reflects, Ka. */
     public Colour ambient = new Colour(1, 1, 1);
@@ -19,8 +21,10 @@ public final class Material {
     public Colour diffuse = new Colour(1, 1, 1);
     /** The exponent of the highlight, 0 or more; its whole part is also the most reflections after a hit. */
     public double shininess = 2;
-    /** The share of a light in its highlight, and of the mirror ray's colour, Ks. */
+    /** The share of a light in its highlight, Ks; unless {@link #mirror} is given, also that of the mirror ray's colour. */
     public Colour specular = new Colour();
+    /** The share of the mirror ray's colour; null for Ks. */
+    public Colour mirror;
 
     /** The share of light that passes through, Kt. */
     public Colour transmission = new Colour();
@@ -40,9 +44,15 @@ public final class Material {
         ambient = new Colour(m.ambient);
         diffuse = new Colour(m.diffuse);
         specular = new Colour(m.specular);
+        mirror = m.mirror == null ? null : new Colour(m.mirror);
         shininess = m.shininess;
         transmission = new Colour(m.transmission);
         index = m.index;
+    }
+
+    /** {@return the share of the mirror ray's colour: the one given, or else Ks} Not a copy. */
+    public Colour mirrored() {
+        return mirror == null ? specular : mirror;
     }
 
     /** {@return the most reflections that follow a hit of this surface: "depends on the shininess" (thesis, chapter 7)} */
@@ -65,6 +75,10 @@ public final class Material {
         specular.print(os);
         os.writeString(" shininess ");
         os.writeDouble(shininess);
+        if (mirror != null) {
+            os.writeString(" mirror ");
+            mirror.print(os);
+        }
         if (transmits()) {
             os.writeString(" transmission ");
             transmission.print(os);
@@ -74,7 +88,8 @@ public final class Material {
     }
 
     /**
-     * Reads the three colours and the shininess, and the transmission if there is one; without it nothing passes through.
+     * Reads the three colours and the shininess, and the mirror ray's share and the transmission where they are given; without these
+     * Ks is the share, and nothing passes through.
      *
      * @param is where from
      * @throws IOException if one is missing or below 0
@@ -87,14 +102,30 @@ public final class Material {
         if (shininess < 0) {
             is.reject("shininess of 0 or more");
         }
+        mirror = null;
         transmission.reset();
         index = 1;
-        if (is.takeKeyword(TRANSMIT) != null) {
-            readColour(is, "transmitted", transmission);
-            index = is.readDouble("refractive index");
-            if (index < 1) {
-                is.reject("refractive index of 1 or more");
+        boolean transmits = false;
+        for (String word = is.takeKeyword(KEYWORDS); word != null;
+                word = is.takeKeyword(transmits && mirror == null ? ONLY_MIRROR : KEYWORDS)) {
+            if (word.equals(MIRROR) ? mirror != null : transmits) {
+                is.reject("keyword " + word + " only once");
             }
+            if (word.equals(MIRROR)) {
+                mirror = new Colour();
+                readColour(is, "mirrored", mirror);
+            } else {
+                transmits = true;
+                readTransmission(is);
+            }
+        }
+    }
+
+    private void readTransmission(SceneReader is) throws IOException {
+        readColour(is, "transmitted", transmission);
+        index = is.readDouble("refractive index");
+        if (index < 1) {
+            is.reject("refractive index of 1 or more");
         }
     }
 
@@ -112,6 +143,10 @@ public final class Material {
         specular.write(os);
         os.writeString("  ");
         os.writeDouble(shininess);
+        if (mirror != null) {
+            os.writeString("  mirror ");
+            mirror.write(os);
+        }
         if (transmits()) {
             os.writeString("  transmit ");
             transmission.write(os);
@@ -123,6 +158,7 @@ public final class Material {
     /** {@return whether another material is equal, bit for bit} */
     boolean isSame(Material m) {
         return isSame(ambient, m.ambient) && isSame(diffuse, m.diffuse) && isSame(specular, m.specular)
+            && (mirror == null ? m.mirror == null : m.mirror != null && isSame(mirror, m.mirror))
             && isSame(shininess, m.shininess) && isSame(transmission, m.transmission) && isSame(index, m.index);
     }
 

@@ -73,6 +73,7 @@ final class Materials {
     static long hash(Material m) {
         long hash = mixed(bits(m.ambient), bits(m.diffuse));
         hash = mixed(hash, bits(m.specular));
+        hash = m.mirror == null ? hash : mixed(hash, bits(m.mirror));
         hash = mixed(hash, bits(m.transmission));
         hash = mixed(hash, Double.doubleToRawLongBits(m.shininess));
         return mixed(hash, Double.doubleToRawLongBits(m.index));

@@ -94,7 +94,7 @@ public record RayTree(Ray ray, int depth, boolean told, Hit hit, Colour colour) 
     /**
      * The contribution of a ray that leaves a hit.
      *
-     * @param share its factor: Ks or Kt, or Ks + Kt at total internal reflection
+     * @param share its factor: the mirror ray's share (Ks, or the material's mirror) or Kt; the sum of both at total internal reflection
      * @param colour the contribution: the factor times the ray's colour
      * @param tree its own tree
      */

@@ -64,8 +64,8 @@ public final class WhittedIntegrator implements Integrator {
     }
 
     /**
-     * Whitted's recursion: the local colour of a surface, plus the mirror ray's colour times Ks, plus the refracted ray's colour times Kt. At total
-     * internal reflection the mirror ray counts Ks + Kt. One method, too long for HotSpot to inline into itself, and so compiled early.
+     * Whitted's recursion: the local colour of a surface, plus the mirror ray's colour times its share (Ks, or the material's mirror), plus the
+     * refracted ray's colour times Kt. At total internal reflection the mirror ray counts its share + Kt. One method, too long for HotSpot to inline into itself, and so compiled early.
      */
     private boolean trace(Ray ray, Colour colour, int depth, int level) {
         stats.ray(level);
@@ -88,7 +88,7 @@ public final class WhittedIntegrator implements Integrator {
                 Ray next = bounce.next;
                 boolean passes = !material.transmission.isBlack()
                     && Optics.refract(bounce.bent, ray.direction, at.normal, at.enters ? 1 / material.index : material.index);
-                share.copy(material.specular);
+                share.copy(material.mirrored());
                 if (!passes) {
                     share.add(material.transmission);
                 }

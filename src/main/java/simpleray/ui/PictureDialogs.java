@@ -46,7 +46,7 @@ final class PictureDialogs {
 
     /** {@return the folder of the scene on the screen; of one that came by standard input the working folder, of none the last folder} */
     private File sceneFolder() {
-        SceneSource source = frame.picture().source();
+        SceneSource source = window.picture().source();
         if (source == SceneSource.NONE) {
             return folder;
         }

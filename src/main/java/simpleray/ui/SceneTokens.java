@@ -10,7 +10,7 @@ import simpleray.text.NumberParser;
 /** Finds what is to be coloured in a line of a scene file: comments, headings, keywords, numbers, names, and words that are none. */
 final class SceneTokens extends TokenMakerBase {
     private static final Set<String> KEYWORDS =
-        Set.of("transmit", "background", "window", "cop", "camera", "resolution", "depth", "samples");
+        Set.of("mirror", "transmit", "background", "window", "cop", "camera", "resolution", "depth", "samples");
     private static final char COMMENT = '#';
     private static final char QUOTE = '"';
 

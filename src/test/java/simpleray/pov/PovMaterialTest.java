@@ -65,6 +65,22 @@ class PovMaterialTest {
             .contains(" specular " + mean + " roughness 0.25 reflection { rgb <" + r + "," + g + "," + b + "> } }");
     }
 
+    @Test
+    void aMirrorHasItsOwnShareAndAHighlightTheMeanOfKs() {
+        Material varnish = material(grey(0), grey(0), grey(0.5), 4);
+        varnish.mirror = new Colour(0.25, 0, 1);
+        Material mirror = material(grey(0), grey(0), grey(0), 4);
+        mirror.mirror = grey(0.75);
+        Material shiny = material(grey(0), grey(0), grey(0.5), 4);
+        shiny.mirror = grey(0);
+
+        assertThat(text(varnish, DEPTH)).contains(" diffuse 0.0 specular 0.5 roughness 0.25 reflection { rgb <0.25,0.0,1.0> } }",
+            "max_trace_level 5");
+        assertThat(text(mirror, DEPTH)).contains(" diffuse 0.0 reflection { rgb <0.75,0.75,0.75> } }", "max_trace_level 5");
+        assertThat(text(mirror, 0)).doesNotContain("reflection");
+        assertThat(text(shiny, DEPTH)).contains(" diffuse 0.0 specular 0.5 roughness 0.25 }", "max_trace_level 1 ");
+    }
+
     @ParameterizedTest
     @CsvSource({"1, 1, 1, false", "0.5, 1, 1, true", "1, 0.5, 1, true", "1, 1, 0.5, true", "0, 0, 0, false"})
     void whatDimsLightHasATwinThatNobodySees(double r, double g, double b, boolean dims) {

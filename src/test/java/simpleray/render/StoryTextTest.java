@@ -80,6 +80,18 @@ class StoryTextTest {
     }
 
     @Test
+    void aMirrorsOwnShareIsToldByItsName() throws IOException {
+        String text = text("""
+            2
+            1 0 0 1 -2   0 0 0  0 0 0  0.5 0.5 0.5  1  mirror 0.25 0.5 0
+            1 0 0 1 4    1 0.5 0.25   0 0 0  0 0 0  1
+            0.5 0.5 0.5  0
+            """, Stage.FINAL, 1);
+
+        assertThat(text).contains("\n      mirror ray: 0.125 0.125 0, mirror 0.25 0.5 0\n");
+    }
+
+    @Test
     void glassIsToldAsWhatDimsALightAndByItsRefractedRay() throws IOException {
         String text = text("""
             2

@@ -30,7 +30,8 @@ class MaterialsTest {
     @ParameterizedTest
     @ValueSource(strings = {"0.9 1 1  0.5 0.5 0.5  0 0 0  2", "1 1 0.9  0.5 0.5 0.5  0 0 0  2", "1 1 1  0.5 0.4 0.5  0 0 0  2",
         "1 1 1  0.5 0.5 0.5  0 0 0.1  2", "1 1 1  0.5 0.5 0.5  0 -0.0 0  2", "1 1 1  0.5 0.5 0.5  0 0 0  2.0000000000000004",
-        MATT + " transmit 0 0 0 1.5", MATT + " transmit 0 0.5 0 1", MATT + " transmit -0.0 0 0 1"})
+        MATT + " transmit 0 0 0 1.5", MATT + " transmit 0 0.5 0 1", MATT + " transmit -0.0 0 0 1", MATT + " mirror 0 0 0",
+        MATT + " mirror 0 0 0.5"})
     void whatDiffersInOneBitIsNotShared(String other) throws IOException {
         Scene scene = read("3\n0 0 0 0 1 " + MATT + "\n0 0 0 0 1 " + other + "\n0 0 0 0 1 " + MATT + "\n0 0 0\n0\n");
 

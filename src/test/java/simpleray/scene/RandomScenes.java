@@ -43,6 +43,7 @@ final class RandomScenes {
         if (random.nextBoolean()) {
             material.transmission = colour(random);
         }
+        material.mirror = maybe(random, colour(random));
         if (random.nextBoolean()) {
             material.index = Math.max(1, Math.abs(number(random)));
         }

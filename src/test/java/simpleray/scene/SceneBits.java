@@ -97,6 +97,9 @@ public final class SceneBits {
         add(material.diffuse);
         add(material.specular);
         bits.add(material.shininess);
+        if (material.mirror != null) {
+            add(material.mirror);
+        }
         add(material.transmission);
         bits.add(material.index);
     }
