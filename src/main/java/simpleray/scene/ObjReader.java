@@ -22,8 +22,8 @@ import simpleray.text.NumberParser;
 import simpleray.text.SceneFormatException;
 
 /**
- * Reads the polygons of a Wavefront OBJ as triangles: each polygon is a fan from its first vertex. <em>Mutable,</em> for one
- * thread.
+ * Reads the polygons of a Wavefront OBJ as triangles: a convex polygon is a fan from its first vertex, any other is cut by an
+ * {@link EarClipper}. One that crosses itself is a fan, too, with a warning. <em>Mutable,</em> for one thread.
  *
  * <p>Of the format (Wavefront, "Advanced Visualizer Manual", appendix B1) these lines are read, and all others are skipped:
  * <pre>
@@ -67,9 +67,13 @@ final class ObjReader {
     private int cornerCount;
     private boolean lacksNormals;                             // it names one that is not there
     private final double[] cross = new double[3];
+    private final double[] second = new double[3];
+    private final EarClipper clipper = new EarClipper();
 
     private final PassedOver flat = new PassedOver("triangles that have an area", "without, which is skipped", "without, which are skipped");
     private final PassedOver few = new PassedOver("polygons of at least 3 corners", "of fewer, which is skipped", "of fewer, which are skipped");
+    private final PassedOver crossed = new PassedOver("polygons that do not cross themselves", "that does, which becomes a fan of triangles",
+        "that do, which become fans of triangles");
     private final PassedOver aimless = new PassedOver("normals of finite length above 0", "that has none, which is passed over",
         "that have none, which are passed over");
     private final PassedOver bare = new PassedOver("polygons with normals at all corners or at none", "that lacks some, which is shaded flat",
@@ -262,8 +266,12 @@ final class ObjReader {
             triangleNormals = new int[triangles.length];
             Arrays.fill(triangleNormals, 0, triangleEnd, NONE);
         }
+        if (cornerCount > MIN_CORNERS && !isFan()) {
+            addUnusualPolygon();
+            return;
+        }
         for (int i = 2; i < cornerCount; i++) {
-            addTriangle(i - 1, i);
+            addTriangle(0, i - 1, i);
         }
     }
 
@@ -359,9 +367,35 @@ final class ObjReader {
         cornerNormals[cornerCount++] = normal;
     }
 
-    /** Adds the triangle of the polygon's first corner and two others, unless it is flat. */
-    private void addTriangle(int second, int third) {
-        if (!Triangles.cross(vertices, 3 * corners[0], 3 * corners[second], 3 * corners[third], cross)) {
+    /** {@return whether the polygon surely is the fan from its first corner} So is one of four corners whose two triangles face one way. */
+    private boolean isFan() {
+        return cornerCount == MIN_CORNERS + 1
+            && (!Triangles.cross(vertices, 3 * corners[0], 3 * corners[1], 3 * corners[2], cross)
+                || !Triangles.cross(vertices, 3 * corners[0], 3 * corners[2], 3 * corners[3], second)
+                || cross[0] * second[0] + cross[1] * second[1] + cross[2] * second[2] > 0);
+    }
+
+    /** Adds a polygon that may not be convex. */
+    private void addUnusualPolygon() {
+        int[] cut = clipper.cut(vertices, corners, cornerCount);
+        if (cut != null && cut != EarClipper.FAN) {
+            for (int i = 0; i < cut.length; i += 3) {
+                addTriangle(cut[i], cut[i + 1], cut[i + 2]);
+            }
+            return;
+        }
+        int before = triangleEnd;
+        for (int i = 2; i < cornerCount; i++) {
+            addTriangle(0, i - 1, i);
+        }
+        if (cut == null && triangleEnd > before) {
+            crossed.add();
+        }
+    }
+
+    /** Adds the triangle of three corners of the polygon, unless it is flat. */
+    private void addTriangle(int first, int second, int third) {
+        if (!Triangles.cross(vertices, 3 * corners[first], 3 * corners[second], 3 * corners[third], cross)) {
             flat.add();
             return;
         }
@@ -370,11 +404,11 @@ final class ObjReader {
             triangleNormals = triangleNormals == null ? null : Arrays.copyOf(triangleNormals, triangles.length);
         }
         if (triangleNormals != null) {
-            triangleNormals[triangleEnd] = cornerNormals[0];
+            triangleNormals[triangleEnd] = cornerNormals[first];
             triangleNormals[triangleEnd + 1] = cornerNormals[second];
             triangleNormals[triangleEnd + 2] = cornerNormals[third];
         }
-        triangles[triangleEnd++] = corners[0];
+        triangles[triangleEnd++] = corners[first];
         triangles[triangleEnd++] = corners[second];
         triangles[triangleEnd++] = corners[third];
     }
@@ -383,7 +417,7 @@ final class ObjReader {
         if (triangleEnd == 0) {
             throw lines.missing("a polygon that has an area");
         }
-        for (PassedOver each : new PassedOver[] {flat, few, aimless, bare, unused}) {
+        for (PassedOver each : new PassedOver[] {flat, few, crossed, aimless, bare, unused}) {
             each.warn(warnings);
         }
         return new Triangles(Arrays.copyOf(vertices, 3 * vertexCount), Arrays.copyOf(triangles, triangleEnd),

@@ -50,6 +50,40 @@ class ObjReaderTest {
         assertThat(read(THREE + "v 0 0 1\nv 1 1 1\nf 1 2 3 4 5\n").corners()).containsExactly(0, 1, 2, 0, 2, 3, 0, 3, 4);
     }
 
+    /** Of the fan from the first corner both triangles would lie where there is no polygon if the dent is at the second or fourth. */
+    @Test
+    void aConcavePolygonIsCutWhereItsDentIs() throws IOException {
+        String dart = "v 0 0 0\nv 4 -2 0\nv 1 0 0\nv 4 2 0\n";
+
+        assertThat(read(dart + "f 1 2 3 4\n").corners()).containsExactly(0, 1, 2, 0, 2, 3);
+        assertThat(read(dart + "f 2 3 4 1\n").corners()).containsExactly(2, 3, 0, 2, 0, 1);
+        assertThat(read(dart + "f 3 4 1 2\n").corners()).containsExactly(2, 3, 0, 2, 0, 1);
+        assertThat(read(dart + "f 2 1 4 3\n").corners()).containsExactly(0, 3, 2, 0, 2, 1);
+        assertThat(warnings).isEmpty();
+    }
+
+    @Test
+    void cutCornersKeepTheirNormals() throws IOException {
+        Triangles triangles = read("v 0 0 0\nv 4 -2 0\nv 1 0 0\nv 4 2 0\nvn 1 0 1\nvn 2 0 1\nvn 3 0 1\nvn 4 0 1\n"
+            + "f 1/7/1 2/7/2 3/7/3\nf 2/7/2 3/7/3 4/7/4 1/7/1\nf 3 4 1 2\n");
+
+        assertThat(triangles.corners()).containsExactly(0, 1, 2, 2, 3, 0, 2, 0, 1, 2, 3, 0, 2, 0, 1);
+        assertThat(triangles.cornerNormals()).containsExactly(0, 1, 2, 2, 3, 0, 2, 0, 1, -1, -1, -1, -1, -1, -1);
+    }
+
+    @Test
+    void aPolygonThatCrossesItselfIsAFanWithAWarning() throws IOException {
+        String five = "v 1 0 0\nv -0.8 0.6 0\nv 0.3 -0.95 0\nv 0.3 0.95 0\nv -0.8 -0.6 0\nf 1 2 3\n";
+
+        assertThat(read(five + "f 1 2 3 4 5\n").corners()).containsExactly(0, 1, 2, 0, 1, 2, 0, 2, 3, 0, 3, 4);
+        assertWarning(7, "polygons that do not cross themselves, found 1 that does, which becomes a fan of triangles");
+        warnings.clear();
+        assertThat(read(five + "f 1 4 2 5\n\nf 1 2 4 5 # of four\nf 3 1 2 4 5\nf 1 1 2 1").count()).isEqualTo(8);
+        assertThat(warnings).extracting(Diagnostic::message).containsExactly("expected triangles that have an area, found 2 without, which are skipped",
+            "expected polygons that do not cross themselves, found 2 that do, which become fans of triangles");
+        assertThat(warnings.get(1).line()).isEqualTo(9);
+    }
+
     @ParameterizedTest
     @ValueSource(strings = {"f 1 2 3", "f -3 -2 -1", "f 1/1 2/2 3/3", "f 1/4/ 2/4/ 3/4/", "F 1/ 2/ 3/",
         "\tf\t1\t2  3 # corner", "f 1 \\\n2 \\\n 3", "f 1 2\\\n3",
