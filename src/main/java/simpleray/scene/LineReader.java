@@ -5,6 +5,7 @@ import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Set;
 import simpleray.text.Diagnostic;
 import simpleray.text.SceneFormatException;
 
@@ -241,6 +242,31 @@ final class LineReader {
             next = length;
             start = length;
         }
+    }
+
+    /** {@return whether the line has continuations} */
+    boolean isContinued() {
+        return number > firstNumber;
+    }
+
+    /** {@return a warning at the first continuation of the line that begins with one of these words; null if none does} */
+    Diagnostic warningOfJoined(Set<String> keywords) {
+        for (int i = start + 1; i < next; i++) {
+            if ((buffer[i - 1] == '\n' || buffer[i - 1] == '\r') && buffer[i] != '\n') {
+                int from = i;
+                while (buffer[from] == ' ' || buffer[from] == '\t') {
+                    from++;
+                }
+                int to = from;
+                while (to < next && !isBlank(buffer[to])) {
+                    to++;
+                }
+                if (keywords.contains(decode(buffer, from, to))) {
+                    return problem(i, false, "");
+                }
+            }
+        }
+        return null;
     }
 
     /** {@return the text of some of the line's bytes} */

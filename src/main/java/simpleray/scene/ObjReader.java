@@ -13,6 +13,7 @@ import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.function.Consumer;
 import simpleray.io.MagicNumber;
 import simpleray.io.Sha256;
@@ -39,6 +40,7 @@ import simpleray.text.SceneFormatException;
  * and work on bytes; they leave any other line to methods that read it again as text, know all rules and report errors.
  */
 final class ObjReader {
+    private static final Set<String> KEYWORDS = Set.of("v", "vt", "vn", "f", "fo", "l", "o", "g", "s", "usemtl", "mtllib");
     private static final int INITIAL = 1 << 10;
     private static final int MIN_CORNERS = 3;
     /** The most digits that always fit into an {@code int}. */
@@ -78,6 +80,8 @@ final class ObjReader {
         "that have none, which are passed over");
     private final PassedOver bare = new PassedOver("polygons with normals at all corners or at none", "that lacks some, which is shaded flat",
         "that lack some, which are shaded flat");
+    private final PassedOver joined = new PassedOver("a line of its own for each keyword", "line that the backslash before it joins to another",
+        "lines that the backslash before them joins to others");
     private final PassedOver unused = new PassedOver("finite coordinates", "vertex without, which no polygon names",
         "vertices without, which no polygon names");
     private Map<Integer, SceneFormatException> infinite = Map.of();     // of each vertex that is not finite, what is wrong with it
@@ -130,8 +134,18 @@ final class ObjReader {
         ObjReader reader = new ObjReader(new LineReader(begun, name));
         while (reader.lines.read()) {
             reader.readLine();
+            if (reader.lines.isContinued()) {
+                reader.warnOfJoined();
+            }
         }
         return reader.triangles(warnings);
+    }
+
+    private void warnOfJoined() {
+        Diagnostic place = lines.warningOfJoined(KEYWORDS);
+        if (place != null) {
+            joined.add(place);
+        }
     }
 
     private void readLine() throws SceneFormatException {
@@ -179,7 +193,7 @@ final class ObjReader {
             vertices[i + 1] = readNumber("vertex ", vertexCount, 'y');
             vertices[i + 2] = readNumber("vertex ", vertexCount, 'z');
         } catch (NotFiniteException e) {
-            unused.add();                                     // or a polygon names it, and then it is an error
+            unused.add(lines);                                     // or a polygon names it, and then it is an error
             infinite = infinite.isEmpty() ? new HashMap<>() : infinite;
             infinite.put(vertexCount - 1, e.problem);
         }
@@ -197,7 +211,7 @@ final class ObjReader {
             y = readNumber("normal ", normalCount, 'y');
             z = readNumber("normal ", normalCount, 'z');
         } catch (NotFiniteException e) {
-            aimless.add();                                    // its components stay 0
+            aimless.add(lines);                                    // its components stay 0
             return;
         }
         // an exact power of two, so that squares of small components do not underflow
@@ -208,7 +222,7 @@ final class ObjReader {
         double length = Math.sqrt(x * x + y * y + z * z);
         double scale = length > 0 ? 1 / length : 0;
         if (scale == 0) {
-            aimless.add();
+            aimless.add(lines);
         }
         normals[i] = x * scale;
         normals[i + 1] = y * scale;
@@ -250,7 +264,7 @@ final class ObjReader {
             skipBlanks();
         }
         if (cornerCount < MIN_CORNERS) {
-            few.add();
+            few.add(lines);
             return;
         }
         for (int i = 0; i < cornerCount && !infinite.isEmpty(); i++) {
@@ -259,7 +273,7 @@ final class ObjReader {
             }
         }
         if (lacksNormals) {
-            bare.add();
+            bare.add(lines);
             Arrays.fill(cornerNormals, 0, cornerCount, NONE);
         }
         if (cornerNormals[0] != NONE && triangleNormals == null) {
@@ -389,14 +403,14 @@ final class ObjReader {
             addTriangle(0, i - 1, i);
         }
         if (cut == null && triangleEnd > before) {
-            crossed.add();
+            crossed.add(lines);
         }
     }
 
     /** Adds the triangle of three corners of the polygon, unless it is flat. */
     private void addTriangle(int first, int second, int third) {
         if (!Triangles.cross(vertices, 3 * corners[first], 3 * corners[second], 3 * corners[third], cross)) {
-            flat.add();
+            flat.add(lines);
             return;
         }
         if (triangleEnd == triangles.length) {
@@ -417,40 +431,11 @@ final class ObjReader {
         if (triangleEnd == 0) {
             throw lines.missing("a polygon that has an area");
         }
-        for (PassedOver each : new PassedOver[] {flat, few, crossed, aimless, bare, unused}) {
+        for (PassedOver each : new PassedOver[] {flat, few, crossed, aimless, bare, unused, joined}) {
             each.warn(warnings);
         }
         return new Triangles(Arrays.copyOf(vertices, 3 * vertexCount), Arrays.copyOf(triangles, triangleEnd),
             Arrays.copyOf(normals, 3 * normalCount), triangleNormals == null ? null : Arrays.copyOf(triangleNormals, triangleEnd));
-    }
-
-    /** A kind of thing that a picture does not need: where the first one stands, and how many there are. */
-    private final class PassedOver {
-        private final String wanted;
-        private final String one;
-        private final String many;
-        private int count;
-        private Diagnostic first;
-
-        PassedOver(String wanted, String one, String many) {
-            this.wanted = wanted;
-            this.one = one;
-            this.many = many;
-        }
-
-        /** Adds one, on the line that is being read. */
-        void add() {
-            if (count++ == 0) {
-                first = lines.warning("");
-            }
-        }
-
-        void warn(Consumer<Diagnostic> warnings) {
-            if (count > 0) {
-                warnings.accept(new Diagnostic(first.file(), first.line(), first.column(), false,
-                    "expected " + wanted + ", found " + count + ' ' + (count == 1 ? one : many), first.source()));
-            }
-        }
     }
 
     /** A number is no number or infinite: an error, unless the picture does not need it. */

@@ -227,6 +227,17 @@ class ObjReaderTest {
         assertWarning(4, "polygons of at least 3 corners, found 3 of fewer, which are skipped");
     }
 
+    /** The name of a material, a file or a group may end with a backslash, which means that the line goes on. */
+    @ParameterizedTest
+    @ValueSource(strings = {"usemtl wood\\\n", "usemtl wood\\  \r\n", "mtllib c:\\models\\\n", "g a \\\n", "v 0 0 1 \\\n", "hello\\\r"})
+    void aLineThatABackslashJoinsToAnotherIsWarnedOf(String line) throws IOException {
+        assertThat(read(THREE + "f 1 2 3\n" + line + "f 1 2 3\nf 1 2 3\n").count()).isEqualTo(2);
+        assertWarning(6, "a line of its own for each keyword, found 1 line that the backslash before it joins to another");
+        warnings.clear();
+        read(THREE + "f 1 2 3\ng a \\\n b\\\n\t usemtl b\n" + line + "usemtl c\nf 1 2 3\nf 1 2 3\n");
+        assertWarning(7, "a line of its own for each keyword, found 2 lines that the backslash before them joins to others");
+    }
+
     @Test
     void utf16IsNamed() throws IOException {
         for (Charset charset : List.of(StandardCharsets.UTF_16, StandardCharsets.UTF_16LE, StandardCharsets.UTF_16BE)) {
