@@ -14,14 +14,10 @@ import picocli.AutoComplete.GenerateCompletion;
 import picocli.CommandLine;
 import picocli.CommandLine.HelpCommand;
 import picocli.CommandLine.TypeConversionException;
-import simpleray.math.Colour;
 import simpleray.pov.PovChannel;
 import simpleray.render.Accel;
 import simpleray.render.Region;
 import simpleray.render.Stage;
-import simpleray.scene.PerspectiveCamera.Pose;
-import simpleray.scene.SceneSettings.Resolution;
-import simpleray.scene.SceneSettings.Window;
 import simpleray.ui.Look;
 
 /** All commands, and how picocli is to read their options. */
@@ -101,11 +97,6 @@ final class Commands {
         convert(line, ExplainCommand.Format.class, word -> Values.constant(ExplainCommand.Format.values(), word));
         convert(line, ExplainCommand.Pixel.class, Values::pixel);
         convert(line, Look.class, word -> Values.constant(Look.values(), word));
-        convert(line, Resolution.class, Values::size);
-        convert(line, Double.class, Values::number);
-        convert(line, Window.class, Values::window);
-        convert(line, Pose.class, Values::camera);
-        convert(line, Colour.class, Values::colour);
         convert(line, Region.class, Values::region);
         line.setParameterExceptionHandler((e, args) -> main.usage(e.getCommandLine().getCommandSpec().qualifiedName(), e.getMessage()));
         line.setExecutionExceptionHandler((e, command, result) -> main.report(e, command.getCommandSpec().qualifiedName()));

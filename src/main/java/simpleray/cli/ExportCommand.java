@@ -10,10 +10,10 @@ import picocli.CommandLine.Parameters;
 import picocli.CommandLine.ParentCommand;
 import simpleray.pov.PovChannel;
 import simpleray.pov.PovExporter;
-import simpleray.render.RenderSettings;
+import simpleray.render.RenderRequest;
 import simpleray.render.Stage;
 import simpleray.scene.Scene;
-import simpleray.scene.SceneSettings;
+import simpleray.scene.Setting;
 
 /** Writes a scene for another renderer. */
 @Command(mixinStandardHelpOptions = true, sortOptions = false, modelTransformer = ExportCommand.Fewer.class,
@@ -46,14 +46,12 @@ final class ExportCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws CommandException {
-        SceneSettings asked = picture.request(Stage.FINAL, 1).settings();
+        RenderRequest request = picture.request(Stage.FINAL, 1);
         if (TextOutput.isSame(scene, output)) {
             throw CommandException.usage("the output " + output + " is the scene itself");
         }
-        Scene read = SceneArgument.read(scene, main.in(), main.err(), outside.reach()).scene();
-        read.settings = read.settings.under(asked);
-        int depth = read.settings.depth == null ? RenderSettings.DEFAULT_DEPTH : read.settings.depth;
-        PovExporter exported = new PovExporter(read, read.settings.newCamera(), depth, channel);
+        Scene asked = request.applyTo(SceneArgument.read(scene, main.in(), main.err(), outside.reach()).scene());
+        PovExporter exported = new PovExporter(asked, asked.settings.newCamera(), Setting.DEPTH.in(asked.settings), channel);
         try {
             TextOutput.write(main, output, exported::write);
         } catch (UnsupportedOperationException e) {

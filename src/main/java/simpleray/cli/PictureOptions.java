@@ -1,68 +1,80 @@
 package simpleray.cli;
 
 import java.util.Locale;
-import picocli.CommandLine.Option;
-import simpleray.math.Colour;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Model.ISetter;
+import picocli.CommandLine.Model.OptionSpec;
+import picocli.CommandLine.Spec;
+import picocli.CommandLine.TypeConversionException;
 import simpleray.render.RenderRequest;
 import simpleray.render.Stage;
-import simpleray.scene.PerspectiveCamera.Pose;
-import simpleray.scene.Scene;
 import simpleray.scene.SceneSettings;
-import simpleray.scene.SceneSettings.Resolution;
-import simpleray.scene.SceneSettings.Window;
-import simpleray.text.NumberParser;
+import simpleray.scene.Setting;
 
-/** The options that say which picture is made of a scene. What they say wins over the scene file. */
+/** The options that say which picture is made of a scene: those of the table of settings. What they say wins over the scene file. */
+@Command
 final class PictureOptions {
-    @Option(names = "--size", paramLabel = "WxH",
-        description = "Width and height in pixels, 1 to " + SceneSettings.MAX_RESOLUTION + " each (default: 200x200).")
-    private Resolution size;
+    private static final String ADAPTIVE = "adaptive";
 
-    @Option(names = "--depth", paramLabel = "N",
-        description = "The most reflections of a ray, 0 to " + SceneSettings.MAX_DEPTH + " (default: 10).")
-    private Integer depth;
+    private final SceneSettings asked = new SceneSettings();
+    private String samples;                                   // a number, or adaptive, which no scene file says
 
-    @Option(names = "--samples", paramLabel = "N",
-        description = "N x N samples a pixel, N from 1 to " + SceneSettings.MAX_SAMPLES + " (default: 1), for smooth edges; or adaptive: "
-            + "as good as 4, but only where it is needed.")
-    private String samples;
+    /** Adds the options to a command; picocli calls this. */
+    @Spec(Spec.Target.MIXEE)
+    void addTo(CommandSpec command) {
+        for (Setting<?> setting : Setting.ALL) {
+            if (setting.option() != null) {
+                command.addOption(Model.option(setting, this));
+            }
+        }
+    }
 
-    @Option(names = "--cop", paramLabel = "Z",
-        description = "The eye is at (0, 0, Z), Z > 0 (default: 2).")
-    private Double cop;
+    /** Picocli's model of the options: a class of its own, so that a plain line loads no class of picocli. */
+    private static final class Model {
+        static OptionSpec option(Setting<?> setting, PictureOptions options) {
+            return OptionSpec.builder(setting.option()).paramLabel(setting.label()).description(setting.description()).type(String.class)
+                .converters(value -> checked(setting, value)).setter(new ISetter() {
+                    @Override
+                    public <V> V set(V value) {
+                        if (value != null) {                  // as before it is parsed
+                            options.take(setting.option(), (String) value);
+                        }
+                        return value;
+                    }
+                }).build();
+        }
 
-    @Option(names = "--window", paramLabel = "XMIN,XMAX,YMIN,YMAX",
-        description = "The piece of the plane z = 0 that fills the picture (default: -2,2,-2,2, more along the longer side).")
-    private Window window;
-
-    @Option(names = "--camera", paramLabel = "EX,EY,EZ,LX,LY,LZ,FOV",
-        description = "Instead of these two: the eye, the point it looks at, and the vertical field of view in degrees.")
-    private Pose camera;
-
-    @Option(names = "--background", paramLabel = "R,G,B",
-        description = "The colour where nothing is hit, 0 to 1 each (default: 0,0,0).")
-    private Colour background;
+        private static String checked(Setting<?> setting, String value) {
+            try {
+                if (setting != Setting.SAMPLES) {
+                    setting.parse(value);
+                }
+                return value;
+            } catch (IllegalArgumentException e) {
+                throw new TypeConversionException(e.getMessage());
+            }
+        }
+    }
 
     /**
-     * Takes an option as picocli would.
+     * Takes an option.
      *
      * @return whether it is one of these
      * @throws IllegalArgumentException if it cannot have that value
      */
     boolean take(String name, String value) {
-        switch (name) {
-            case "--size" -> size = Values.size(value);
-            case "--depth" -> depth = Integer.valueOf(value);
-            case "--samples" -> samples = value;
-            case "--cop" -> cop = Values.number(value);
-            case "--window" -> window = Values.window(value);
-            case "--camera" -> camera = Values.camera(value);
-            case "--background" -> background = Values.colour(value);
-            default -> {
-                return false;
+        for (Setting<?> setting : Setting.ALL) {
+            if (name.equals(setting.option())) {
+                if (setting == Setting.SAMPLES) {
+                    samples = value;
+                } else {
+                    setting.parse(value, asked);
+                }
+                return true;
             }
         }
-        return true;
+        return false;
     }
 
     /**
@@ -71,27 +83,16 @@ final class PictureOptions {
      * @throws CommandException if something is out of its range
      */
     RenderRequest request(Stage stage, int threads) throws CommandException {
-        SceneSettings asked = new SceneSettings();
-        asked.resolution = size;
-        asked.depth = depth;
-        asked.cop = cop;
-        asked.window = window;
-        asked.camera = camera;
-        asked.background = background;
-        boolean adaptive = samples != null && samples.toLowerCase(Locale.ROOT).equals("adaptive");
-        if (samples != null && !adaptive) {
-            Long n = NumberParser.parseInteger(samples, 1, SceneSettings.MAX_SAMPLES);
-            if (n == null) {
-                throw CommandException.usage("--samples must be 1 to " + SceneSettings.MAX_SAMPLES + " or adaptive, and is '" + samples + "'");
-            }
-            asked.samples = n.intValue();
-        }
-        if (camera != null && (cop != null || window != null)) {
-            throw CommandException.usage("--camera takes the place of --cop and --window: give one or the other");
-        }
-        RenderRequest request = new RenderRequest(asked, stage, adaptive, threads);
         try {
-            request.renderer(new Scene());                    // what is out of its range is known before the scene is read
+            boolean adaptive = samples != null && samples.toLowerCase(Locale.ROOT).equals(ADAPTIVE);
+            if (samples != null && !adaptive) {
+                Setting.SAMPLES.parse(samples, asked);
+            }
+            if (asked.camera != null && (asked.cop != null || asked.window != null)) {
+                throw CommandException.usage("--camera takes the place of --cop and --window: give one or the other");
+            }
+            RenderRequest request = new RenderRequest(asked, stage, adaptive, threads);
+            request.check();                                  // what is out of its range is known before the scene is read
             return request;
         } catch (IllegalArgumentException e) {
             throw CommandException.usage(e.getMessage());

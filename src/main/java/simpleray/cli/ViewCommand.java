@@ -9,7 +9,8 @@ import picocli.CommandLine.Parameters;
 import picocli.CommandLine.ParentCommand;
 import simpleray.image.Picture;
 import simpleray.render.RenderRequest;
-import simpleray.scene.Scene;
+import simpleray.scene.SceneSettings.Resolution;
+import simpleray.scene.Setting;
 import simpleray.ui.Look;
 import simpleray.ui.SceneSource;
 import simpleray.ui.Viewer;
@@ -79,9 +80,9 @@ final class ViewCommand implements PlainCommand {
         if (fault != null) {
             throw new CommandException(ExitCode.NO_DISPLAY, "simpleray: " + fault + "; simpleray render works without one");
         }
-        Picture asked = request.renderer(new Scene()).picture();
-        HeapCheck.require("a picture of " + asked.width() + 'x' + asked.height(),
-            Picture.bytesNeeded(asked.width(), asked.height()) + SCREEN * asked.width() * asked.height());
+        Resolution size = Setting.RESOLUTION.in(request.settings());
+        HeapCheck.require("a picture of " + size.width() + 'x' + size.height(),
+            Picture.bytesNeeded(size.width(), size.height()) + SCREEN * size.width() * size.height());
         Viewer.view(source(), request, look);
         return ExitCode.DONE;
     }

@@ -3,7 +3,6 @@ package simpleray.render;
 import java.util.function.Supplier;
 import simpleray.math.Point;
 import simpleray.scene.Scene;
-import simpleray.scene.SceneSettings;
 import simpleray.trace.CompiledScene;
 
 /**
@@ -11,17 +10,15 @@ import simpleray.trace.CompiledScene;
  */
 public final class PreparedScene {
     private final Scene scene;
-    private final SceneSettings own;
     private CompiledScene compiled;
 
     /**
      * Takes a scene as it was read. It is compiled when it is first rendered.
      *
-     * @param scene the scene; its settings are changed by each request
+     * @param scene the scene
      */
     public PreparedScene(Scene scene) {
         this.scene = scene;
-        own = scene.settings;
     }
 
     /**
@@ -32,7 +29,6 @@ public final class PreparedScene {
      * @throws IllegalArgumentException if an option is out of its range
      */
     public Renderer renderer(RenderRequest request) {
-        scene.settings = own;
         return request.renderer(scene, this);
     }
 

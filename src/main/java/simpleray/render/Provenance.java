@@ -8,7 +8,7 @@ import simpleray.image.png.PictureFormatException;
 import simpleray.scene.PictureScene;
 import simpleray.scene.SceneFile;
 import simpleray.scene.SceneSettings;
-import simpleray.scene.SimpleCamera;
+import simpleray.scene.Setting;
 import simpleray.text.Diagnostic;
 
 /**
@@ -32,8 +32,8 @@ public final class Provenance {
     /**
      * Puts together what a picture is to tell.
      *
-     * @param request what was asked for, of which {@link RenderRequest#renderer} has made the picture's renderer
-     * @param file the scene
+     * @param request what was asked for
+     * @param file the scene, with its own settings
      * @return the texts; none if the scene was not read from a text
      */
     public static List<PictureText> of(RenderRequest request, SceneFile file) {
@@ -43,8 +43,8 @@ public final class Provenance {
     /**
      * Puts together what a sheet of several pictures is to tell: what they have in common, and what there is on it.
      *
-     * @param request what was asked for, of which {@link RenderRequest#renderer} has made a renderer
-     * @param file the scene
+     * @param request what was asked for
+     * @param file the scene, with its own settings
      * @param what what there is on it, in one line
      * @return the texts; none if the scene was not read from a text
      */
@@ -56,12 +56,15 @@ public final class Provenance {
         if (file.text() == null) {
             return List.of();
         }
-        SceneSettings all = new SceneSettings().under(file.scene().settings);
-        if (all.resolution == null) {
-            all.resolution = new SceneSettings.Resolution(SimpleCamera.DEFAULT_RESOLUTION, SimpleCamera.DEFAULT_RESOLUTION);
+        SceneSettings all = file.scene().settings.under(request.settings());
+        for (Setting<?> setting : Setting.ALL) {
+            if (setting.isAlwaysTold() && !setting.isSet(all)) {
+                setting.reset(all);
+            }
         }
-        all.depth = all.depth == null ? Integer.valueOf(RenderSettings.DEFAULT_DEPTH) : all.depth;
-        all.samples = request.adaptive() ? null : all.samples == null ? Integer.valueOf(1) : all.samples;
+        if (request.adaptive()) {
+            all.samples = null;
+        }
         String options = what + '\n' + (request.adaptive() ? ADAPTIVE + '\n' : "")
             + (request.region() == null ? "" : REGION + request.region() + '\n') + all.lines();
         return PictureScene.texts(SOFTWARE, options, file.text());

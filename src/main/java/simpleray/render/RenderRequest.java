@@ -2,6 +2,7 @@ package simpleray.render;
 
 import simpleray.scene.Scene;
 import simpleray.scene.SceneSettings;
+import simpleray.scene.Setting;
 
 /**
  * What was asked for on the command line or in the window; all else is left to the scene file, and then to the defaults.
@@ -73,7 +74,27 @@ public record RenderRequest(SceneSettings settings, Stage stage, boolean adaptiv
     }
 
     /**
-     * Prepares the rendering of a scene. The scene's own settings are put under what was asked for.
+     * Applies what was asked for to a scene.
+     *
+     * @param scene the scene, which stays as it is
+     * @return the scene with what was asked for over its own settings
+     */
+    public Scene applyTo(Scene scene) {
+        return scene.with(scene.settings.under(settings));
+    }
+
+    /**
+     * Checks the ranges of what was asked for, as far as they do not depend on the scene.
+     *
+     * @throws IllegalArgumentException if something is out of its range
+     */
+    public void check() {
+        settings.newCamera();
+        renderSettings(settings);
+    }
+
+    /**
+     * Prepares the rendering of a scene, with what was asked for over the scene's own settings.
      *
      * @param scene the scene
      * @return the renderer
@@ -85,10 +106,12 @@ public record RenderRequest(SceneSettings settings, Stage stage, boolean adaptiv
 
     /** Prepares the rendering of a scene of which something is ready, or null. */
     Renderer renderer(Scene scene, PreparedScene prepared) {
-        scene.settings = scene.settings.under(settings);
-        SceneSettings all = scene.settings;
-        int depth = all.depth == null ? RenderSettings.DEFAULT_DEPTH : all.depth;
-        int samples = adaptive ? RenderSettings.ADAPTIVE : all.samples == null ? 1 : all.samples;
-        return new Renderer(scene, all.newCamera(), new RenderSettings(stage, depth, samples, accel, threads, region), prepared);
+        Scene asked = applyTo(scene);
+        return new Renderer(asked, asked.settings.newCamera(), renderSettings(asked.settings), prepared);
+    }
+
+    private RenderSettings renderSettings(SceneSettings all) {
+        int samples = adaptive ? RenderSettings.ADAPTIVE : Setting.SAMPLES.in(all);
+        return new RenderSettings(stage, Setting.DEPTH.in(all), samples, accel, threads, region);
     }
 }

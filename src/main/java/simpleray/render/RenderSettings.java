@@ -14,7 +14,7 @@ import simpleray.scene.SceneSettings;
  */
 public record RenderSettings(Stage stage, int depth, int samples, Accel accel, int threads, Region region) {
     /** The depth unless set. */
-    public static final int DEFAULT_DEPTH = 10;
+    public static final int DEFAULT_DEPTH = SceneSettings.DEFAULT_DEPTH;
     /** In place of a number of samples: many where a pixel shows an edge, one elsewhere. */
     public static final int ADAPTIVE = 0;
 

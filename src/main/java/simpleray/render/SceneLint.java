@@ -20,6 +20,7 @@ import simpleray.scene.RayStats;
 import simpleray.scene.Recorder;
 import simpleray.scene.Scene;
 import simpleray.scene.SceneFile;
+import simpleray.scene.Setting;
 import simpleray.scene.Terms;
 import simpleray.scene.VisibilityTester;
 import simpleray.scene.WhittedIntegrator;
@@ -163,7 +164,7 @@ public final class SceneLint {
         RayStats uncounted = new RayStats();
         Intersector intersector = new CompiledScene(scene, camera.eye(), 1, (long) SIDES[0] * SIDES[0]).intersector(uncounted);
         Integrator integrator = new WhittedIntegrator(scene, intersector, Terms.ALL, uncounted, seen);
-        int depth = Math.min(MAX_REFLECTIONS, scene.settings.depth == null ? RenderSettings.DEFAULT_DEPTH : scene.settings.depth);
+        int depth = Math.min(MAX_REFLECTIONS, Setting.DEPTH.in(scene.settings));
         Colour colour = new Colour();
         for (int side : SIDES) {
             for (int j = 0; j < side; j++) {

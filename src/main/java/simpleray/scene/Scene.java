@@ -21,8 +21,8 @@ public final class Scene {
     /** The settings of camera and renderer, from the scene's file or its user; not null. */
     public SceneSettings settings = new SceneSettings();
 
-    private final List<Object> objects = new ArrayList<>();
-    private final List<Light> lights = new ArrayList<>();
+    private final List<Object> objects;
+    private final List<Light> lights;
     private int numberObjects;
     private int numberLights;
     private LineTable objectLines = new LineTable();
@@ -30,6 +30,30 @@ public final class Scene {
 
     /** Creates an empty, dark scene. */
     public Scene() {
+        objects = new ArrayList<>();
+        lights = new ArrayList<>();
+    }
+
+    private Scene(Scene of, SceneSettings settings) {
+        ambient = of.ambient;
+        this.settings = settings;
+        objects = of.objects;
+        lights = of.lights;
+        numberObjects = of.numberObjects;
+        numberLights = of.numberLights;
+        objectLines = of.objectLines;
+        lightLines = of.lightLines;
+    }
+
+    /**
+     * Returns this scene with other settings. Both have the same objects, lights and ambient light; neither may be changed while the
+     * other is used.
+     *
+     * @param other the settings, referenced
+     * @return a new scene
+     */
+    public Scene with(SceneSettings other) {
+        return new Scene(this, other);
     }
 
     /** {@return the number of objects} */

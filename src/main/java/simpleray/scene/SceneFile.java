@@ -155,6 +155,16 @@ public record SceneFile(Scene scene, List<Diagnostic> warnings, SourceText text)
         return scene.lightLine(i);
     }
 
+    /**
+     * Returns this file with other settings than its own.
+     *
+     * @param settings the settings, referenced
+     * @return the file of {@link Scene#with the scene with these settings}
+     */
+    public SceneFile with(SceneSettings settings) {
+        return new SceneFile(scene.with(settings), warnings, text);
+    }
+
     private static SceneFile read(InputStream in, String name, Path folder, Reach reach) throws IOException {
         return read(in, PictureText.LONGEST, name, folder, reach);
     }

@@ -32,7 +32,7 @@ public final class SceneHash {
         try {
             MessageDigest digest = Sha256.begin();
             SceneWriter writer = new SceneWriter(new DigestOutputStream(OutputStream.nullOutputStream(), digest));
-            withoutSettings(scene).write(writer);
+            scene.with(new SceneSettings()).write(writer);
             writer.flush();
             Set<Triangles> done = Collections.newSetFromMap(new IdentityHashMap<>());
             for (int i = 0; i < scene.getNumberObjects(); i++) {
@@ -44,20 +44,6 @@ public final class SceneHash {
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
-    }
-
-    private static Scene withoutSettings(Scene scene) {
-        Scene bare = new Scene();
-        bare.ambient = scene.ambient;
-        bare.setNumberObjects(scene.getNumberObjects());
-        for (int i = 0; i < scene.getNumberObjects(); i++) {
-            bare.setObject(i, scene.getObject(i));
-        }
-        bare.setNumberLights(scene.getNumberLights());
-        for (int i = 0; i < scene.getNumberLights(); i++) {
-            bare.setLight(i, scene.getLight(i));
-        }
-        return bare;
     }
 
     private static void add(MessageDigest digest, Triangles triangles) {

@@ -7,7 +7,6 @@ import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.Map;
-import java.util.Set;
 import java.util.TreeMap;
 import simpleray.math.Colour;
 import simpleray.text.SceneReader;
@@ -22,10 +21,10 @@ public final class SceneSettings {
     public static final int MAX_RESOLUTION = 65535;
     /** The most reflections of a primary ray; each takes a piece of a thread's stack. */
     public static final int MAX_DEPTH = 1000;
+    /** The most reflections of a primary ray, unless set. */
+    public static final int DEFAULT_DEPTH = 10;
     /** The most samples of a pixel, along each side. */
     public static final int MAX_SAMPLES = 16;
-
-    private static final Set<String> KEYWORDS = Set.of("background", "window", "cop", "camera", "resolution", "depth", "samples");
 
     /** The colour of a ray that hits nothing. */
     public Colour background;
@@ -79,15 +78,30 @@ public final class SceneSettings {
      */
     public SceneSettings under(SceneSettings other) {
         SceneSettings both = new SceneSettings();
-        boolean simple = other.cop != null || other.window != null;
-        both.background = first(other.background, background);
-        both.window = other.camera != null ? null : first(other.window, window);
-        both.cop = other.camera != null ? null : first(other.cop, cop);
-        both.camera = simple ? null : first(other.camera, camera);
-        both.resolution = first(other.resolution, resolution);
-        both.depth = first(other.depth, depth);
-        both.samples = first(other.samples, samples);
+        for (Setting<?> setting : Setting.ALL) {
+            if (!setting.isExcludedBy(other)) {
+                setting.copy(setting.isSet(other) ? other : this, both);
+            }
+        }
         return both;
+    }
+
+    /**
+     * Replaces the camera's settings, set or not, by those of others.
+     *
+     * @param other the settings to copy from
+     */
+    public void setCamera(SceneSettings other) {
+        for (Setting<?> setting : Setting.ALL) {
+            if (setting.isOfCamera()) {
+                setting.copy(other, this);
+            }
+        }
+    }
+
+    /** {@return whether a setting of the camera is set} */
+    public boolean hasCamera() {
+        return Setting.ALL.stream().anyMatch(setting -> setting.isOfCamera() && setting.isSet(this));
     }
 
     /**
@@ -97,12 +111,11 @@ public final class SceneSettings {
      * @throws IllegalArgumentException if one of its values is out of range
      */
     public Camera newCamera() {
-        int width = resolution == null ? SimpleCamera.DEFAULT_RESOLUTION : resolution.width;
-        int height = resolution == null ? SimpleCamera.DEFAULT_RESOLUTION : resolution.height;
+        Resolution size = Setting.RESOLUTION.in(this);
         if (camera != null) {
-            return new PerspectiveCamera(camera, width, height);
+            return new PerspectiveCamera(camera, size.width, size.height);
         }
-        SimpleCamera simple = new SimpleCamera(width, height);
+        SimpleCamera simple = new SimpleCamera(size.width, size.height);
         if (cop != null) {
             simple.setCOP(cop);
         }
@@ -115,7 +128,7 @@ public final class SceneSettings {
     /** {@return whether a line is one that {@link #of} reads} */
     static boolean isSetting(String line) {
         int space = line.indexOf(' ');
-        return space > 0 && KEYWORDS.contains(line.substring(0, space)) && !line.endsWith(" adaptive");
+        return space > 0 && Setting.keywords().contains(line.substring(0, space)) && !line.endsWith(" adaptive");
     }
 
     /**
@@ -149,108 +162,41 @@ public final class SceneSettings {
 
     /** Reads keywords and their values up to the first other word. */
     void read(SceneReader is) throws IOException {
-        Set<String> seen = places.keySet();
         last = SourceSpan.last(is);
-        for (String word = is.takeKeyword(KEYWORDS); word != null; word = is.takeKeyword(KEYWORDS)) {
+        for (String word = is.takeKeyword(Setting.keywords()); word != null; word = is.takeKeyword(Setting.keywords())) {
+            Setting<?> setting = Setting.of(word);
             if (!is.isFirstOnLine()) {
                 is.reject("keyword " + word + " on a line of its own");
             }
             SourceSpan keyword = SourceSpan.last(is);
-            if (seen.contains(word)) {
+            if (places.containsKey(word)) {
                 is.reject("keyword " + word + " only once");
             }
-            if (word.equals("camera") ? seen.contains("window") || seen.contains("cop") : seen.contains("camera") && isSimple(word)) {
+            if (isExcluded(setting)) {
                 is.reject("either a camera, or a window and a cop");
             }
             is.enter(word + "'s");
-            readValue(is, word);
+            setting.read(is, this);
             is.leave();
             last = SourceSpan.last(is);
             places.put(word, new SourceSpan(keyword.start(), last.end()));
         }
     }
 
-    private static boolean isSimple(String word) {
-        return word.equals("window") || word.equals("cop");
-    }
-
-    private void readValue(SceneReader is, String word) throws IOException {
-        switch (word) {
-            case "background" -> {
-                background = new Colour();
-                background.read(is);
+    /** {@return whether a keyword that was read excludes a setting} */
+    private boolean isExcluded(Setting<?> setting) {
+        for (String word : places.keySet()) {
+            if (setting.excludes(Setting.of(word))) {
+                return true;
             }
-            case "window" -> window = readWindow(is);
-            case "cop" -> {
-                cop = is.readDouble("z");
-                if (cop <= 0) {
-                    is.reject("z above 0");
-                }
-            }
-            case "camera" -> camera = readCamera(is);
-            case "resolution" -> resolution = new Resolution(
-                is.readInt("width from 1 to " + MAX_RESOLUTION, 1, MAX_RESOLUTION),
-                is.readInt("height from 1 to " + MAX_RESOLUTION, 1, MAX_RESOLUTION));
-            case "depth" -> depth = is.readInt("number from 0 to " + MAX_DEPTH, 0, MAX_DEPTH);
-            default -> samples = is.readInt("number from 1 to " + MAX_SAMPLES, 1, MAX_SAMPLES);
         }
-    }
-
-    private static Window readWindow(SceneReader is) throws IOException {
-        is.group();
-        Window w = new Window(is.readDouble("xmin"), is.readDouble("xmax"), is.readDouble("ymin"), is.readDouble("ymax"));
-        if (w.xmin >= w.xmax || w.ymin >= w.ymax || Double.isInfinite(w.xmax - w.xmin) || Double.isInfinite(w.ymax - w.ymin)) {
-            is.rejectGroup("xmin below its xmax and ymin below its ymax");
-        }
-        return w;
-    }
-
-    private static PerspectiveCamera.Pose readCamera(SceneReader is) throws IOException {
-        is.group();
-        PerspectiveCamera.Pose pose = new PerspectiveCamera.Pose(is.readDouble("eye x"), is.readDouble("eye y"), is.readDouble("eye z"),
-            is.readDouble("look-at x"), is.readDouble("look-at y"), is.readDouble("look-at z"), is.readDouble("field of view"));
-        if (PerspectiveCamera.Pose.FOV.equals(pose.fault()) && !Double.isNaN(pose.fov())) {
-            is.reject(PerspectiveCamera.Pose.FOV);
-        } else if (PerspectiveCamera.Pose.LOOK_AT.equals(pose.fault())) {
-            is.rejectGroup(PerspectiveCamera.Pose.LOOK_AT);
-        }
-        return pose;
+        return false;
     }
 
     /** Writes the settings, a line each, in the form that {@link #read} reads. */
     void write(SceneWriter os) throws IOException {
-        if (background != null) {
-            line(os, "background", background.r, background.g, background.b);
+        for (Setting<?> setting : Setting.LINES) {
+            setting.write(os, this);
         }
-        if (window != null) {
-            line(os, "window", window.xmin, window.xmax, window.ymin, window.ymax);
-        }
-        if (cop != null) {
-            line(os, "cop", cop);
-        }
-        if (camera != null) {
-            line(os, "camera", camera.ex(), camera.ey(), camera.ez(), camera.lx(), camera.ly(), camera.lz(), camera.fov());
-        }
-        if (resolution != null) {
-            os.writeString("resolution " + resolution.width + ' ' + resolution.height + '\n');
-        }
-        if (depth != null) {
-            os.writeString("depth " + depth + '\n');
-        }
-        if (samples != null) {
-            os.writeString("samples " + samples + '\n');
-        }
-    }
-
-    private static void line(SceneWriter os, String keyword, double... values) throws IOException {
-        os.writeString(keyword + ' ');
-        for (double value : values) {
-            os.writeDouble(value);
-        }
-        os.writeNewline();
-    }
-
-    private static <T> T first(T one, T other) {
-        return one != null ? one : other;
     }
 }

@@ -2,7 +2,6 @@ package simpleray.scene;
 
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -11,7 +10,6 @@ import java.util.Comparator;
 import java.util.List;
 import simpleray.text.NumberParser;
 import simpleray.text.SceneReader;
-import simpleray.text.SceneWriter;
 import simpleray.text.SourceSpan;
 
 /**
@@ -19,8 +17,6 @@ import simpleray.text.SourceSpan;
  * file stay as they are. <em>Mutable</em>, for one thread.
  */
 public final class ViewLines {
-    private static final List<String> KEYWORDS = List.of("camera", "window", "cop");
-
     private final byte[] bytes;
     private final List<Edit> edits = new ArrayList<>();
 
@@ -40,16 +36,8 @@ public final class ViewLines {
      */
     public static String of(SceneSettings view) {
         SceneSettings camera = new SceneSettings();
-        camera.camera = view.camera;
-        camera.window = view.window;
-        camera.cop = view.cop;
-        ByteArrayOutputStream text = new ByteArrayOutputStream();
-        try (SceneWriter writer = new SceneWriter(text)) {
-            camera.write(writer);
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);                // writing to memory does not fail
-        }
-        return text.toString(StandardCharsets.UTF_8);
+        camera.setCamera(view);
+        return camera.lines();
     }
 
     /**
@@ -77,8 +65,8 @@ public final class ViewLines {
 
     private void edit(SceneSettings old, List<String> wanted) throws IOException {
         List<String> lines = new ArrayList<>(wanted);
-        List<String> gone = new ArrayList<>(KEYWORDS);
-        gone.retainAll(old.places.keySet());
+        List<String> gone = new ArrayList<>(old.places.keySet());
+        gone.removeIf(keyword -> !Setting.of(keyword).isOfCamera());
         gone.sort(Comparator.comparingLong(keyword -> old.places.get(keyword).start()));
         for (String line : wanted) {
             String keyword = line.split(" ", 2)[0];

@@ -123,8 +123,7 @@ final class CameraTool extends MouseAdapter {
 
     /** {@return whether the camera is another than the one in the scene's file} */
     boolean isOther() {
-        SceneSettings asked = picture.request().settings();
-        return home != null || asked.camera != null || asked.window != null || asked.cop != null;
+        return home != null || picture.request().settings().hasCamera();
     }
 
     /** {@return settings that say where the camera is; null while no scene is read} */
@@ -170,9 +169,7 @@ final class CameraTool extends MouseAdapter {
     /** {@return the request with the camera of other settings} */
     private RenderRequest with(SceneSettings camera) {
         SceneSettings all = new SceneSettings().under(picture.request().settings());
-        all.camera = camera.camera;
-        all.window = camera.window;
-        all.cop = camera.cop;
+        all.setCamera(camera);
         return picture.request().with(all);
     }
 

@@ -7,12 +7,10 @@ import java.security.CodeSource;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import java.util.StringJoiner;
 import simpleray.render.RenderRequest;
 import simpleray.render.Stage;
-import simpleray.scene.PerspectiveCamera.Pose;
 import simpleray.scene.Reach;
-import simpleray.scene.SceneSettings;
+import simpleray.scene.Setting;
 
 /** The command line that makes a window's picture without a window. */
 final class CommandWords {
@@ -42,46 +40,19 @@ final class CommandWords {
     static List<String> render(Path scene, String name, RenderRequest request) {
         List<String> words = new ArrayList<>(List.of("render", scene.toAbsolutePath().toString(), "-o",
             name.startsWith("-") ? "./" + name : name));
-        SceneSettings asked = request.settings();
-        if (asked.resolution != null) {
-            words.addAll(List.of("--size", asked.resolution.width() + "x" + asked.resolution.height()));
-        }
-        if (request.stage() != Stage.FINAL) {
-            words.addAll(List.of("--stage", request.stage().toString()));
-        }
-        if (asked.depth != null) {
-            words.addAll(List.of("--depth", asked.depth.toString()));
-        }
-        if (request.adaptive() || asked.samples != null) {
-            words.addAll(List.of("--samples", request.adaptive() ? "adaptive" : asked.samples.toString()));
-        }
-        if (asked.cop != null) {
-            words.addAll(List.of("--cop", numbers(asked.cop)));
-        }
-        if (asked.window != null) {
-            words.addAll(List.of("--window",
-                numbers(asked.window.xmin(), asked.window.xmax(), asked.window.ymin(), asked.window.ymax())));
-        }
-        if (asked.camera != null) {
-            Pose pose = asked.camera;
-            words.addAll(List.of("--camera", numbers(pose.ex(), pose.ey(), pose.ez(), pose.lx(), pose.ly(), pose.lz(), pose.fov())));
-        }
-        if (request.region() != null) {
-            words.addAll(List.of("--region", request.region().toString()));
-        }
-        if (asked.background != null) {
-            words.addAll(List.of("--background", numbers(asked.background.r, asked.background.g, asked.background.b)));
+        for (Setting<?> setting : Setting.ALL) {
+            if (setting == Setting.BACKGROUND && request.region() != null) {
+                words.addAll(List.of("--region", request.region().toString()));
+            }
+            String value = setting == Setting.SAMPLES && request.adaptive() ? "adaptive" : setting.text(request.settings());
+            if (value != null && setting.option() != null) {
+                words.addAll(List.of(setting.option(), value));
+            }
+            if (setting == Setting.RESOLUTION && request.stage() != Stage.FINAL) {
+                words.addAll(List.of("--stage", request.stage().toString()));
+            }
         }
         return words;
-    }
-
-    private static String numbers(double... values) {
-        StringJoiner all = new StringJoiner(",");
-        for (double value : values) {
-            all.add(value == Math.rint(value) && Math.abs(value) < Integer.MAX_VALUE && Double.doubleToRawLongBits(value) != Long.MIN_VALUE
-                ? Integer.toString((int) value) : Double.toString(value));
-        }
-        return all.toString();
     }
 
     /** {@return the words that start this program again} */

@@ -249,8 +249,8 @@ final class RenderJob {
             render(loaded);
             double took = snapshot().seconds();
             String failure = runs.failedRows().text();
-            SceneReport findings = first && failure.isEmpty() && !cancelled ? SceneReport.ofWhole(loaded.file, source.name())
-                : snapshot().findings;
+            SceneReport findings = first && failure.isEmpty() && !cancelled
+                ? SceneReport.ofWhole(loaded.file.with(snapshot().run.settings), source.name()) : snapshot().findings;
             end(failure.isEmpty() ? State.FINISHED : State.FAILED, findings, failure, took);
         } catch (CancellationException e) {
             end(State.CANCELLED, snapshot().findings, "", snapshot().seconds());
@@ -291,7 +291,7 @@ final class RenderJob {
         Renderer renderer = scene.prepared.renderer(request);
         Picture picture = renderer.picture();
         picture.tell(Provenance.of(request, scene.file));
-        SceneSettings settings = scene.file.scene().settings;
+        SceneSettings settings = request.applyTo(scene.file.scene()).settings;
         Region part = region != null && region.isWithin(picture.width(), picture.height()) ? region : null;   // not that of a larger one
         boolean only = alone && part != null;
         Progress progress = new Progress(only ? part.height() : picture.height(), System.nanoTime());

@@ -5,12 +5,13 @@ import javax.swing.text.Segment;
 import org.fife.ui.rsyntaxtextarea.Token;
 import org.fife.ui.rsyntaxtextarea.TokenMakerBase;
 import org.fife.ui.rsyntaxtextarea.TokenTypes;
+import simpleray.scene.Setting;
 import simpleray.text.NumberParser;
 
 /** Finds what is to be coloured in a line of a scene file: comments, headings, keywords, numbers, names, and words that are none. */
 final class SceneTokens extends TokenMakerBase {
-    private static final Set<String> KEYWORDS =
-        Set.of("mirror", "transmit", "background", "window", "cop", "camera", "resolution", "depth", "samples");
+    /** The keywords of materials, beside those of settings. */
+    private static final Set<String> OF_MATERIAL = Set.of("mirror", "transmit");
     private static final char COMMENT = '#';
     private static final char QUOTE = '"';
 
@@ -76,7 +77,7 @@ final class SceneTokens extends TokenMakerBase {
             boolean closed = word.length() > 1 && word.indexOf(QUOTE, 1) == word.length() - 1;
             return closed ? TokenTypes.LITERAL_STRING_DOUBLE_QUOTE : TokenTypes.ERROR_STRING_DOUBLE;
         }
-        return KEYWORDS.contains(word) ? TokenTypes.RESERVED_WORD : TokenTypes.ERROR_IDENTIFIER;
+        return OF_MATERIAL.contains(word) || Setting.keywords().contains(word) ? TokenTypes.RESERVED_WORD : TokenTypes.ERROR_IDENTIFIER;
     }
 
     /** {@return whether a line that begins with the word is skipped} */

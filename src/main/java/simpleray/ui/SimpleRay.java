@@ -13,7 +13,7 @@ import simpleray.image.Picture;
 import simpleray.render.Region;
 import simpleray.render.RenderRequest;
 import simpleray.scene.SceneSettings.Resolution;
-import simpleray.scene.SimpleCamera;
+import simpleray.scene.Setting;
 
 /**
  * The framework for the ray tracing (thesis, chapter 5), a Swing component in place of the applet: it renders on a thread of its own,
@@ -63,9 +63,8 @@ public final class SimpleRay extends ZoomedComponent implements Runnable {
 
     /** Makes an empty picture, of the size that was asked for until the scene's file says another. */
     public void init() {
-        Resolution asked = request.settings().resolution;
-        show(asked == null ? new ProgressiveImage(SimpleCamera.DEFAULT_RESOLUTION, SimpleCamera.DEFAULT_RESOLUTION)
-            : new ProgressiveImage(asked.width(), asked.height()));
+        Resolution size = Setting.RESOLUTION.in(request.settings());
+        show(new ProgressiveImage(size.width(), size.height()));
     }
 
     private void show(ProgressiveImage next) {

@@ -12,8 +12,11 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import simpleray.Rendered;
+import simpleray.SettingSamples;
+import simpleray.scene.Setting;
 
 /** An option makes the same picture as the keyword of its name in the scene file, over which it wins. */
 class PictureOptionsTest {
@@ -88,6 +91,23 @@ class PictureOptionsTest {
         byte[] adaptive = picture(BALL + SMALL, "--samples", samples);
 
         assertThat(adaptive).isEqualTo(picture(BALL + SMALL, "--samples", "adaptive")).isNotEqualTo(picture(BALL + SMALL));
+    }
+
+    @ParameterizedTest
+    @MethodSource("settings")
+    void everySettingOfTheTableIsAnOptionOfEachCommandThatRenders(Setting<?> setting) throws IOException {
+        for (String command : List.of("view", "render", "figures", "explain")) {
+            assertThat(InProcess.run(command, "--help").text()).contains("  " + setting.option() + '=' + setting.label());
+        }
+        String line = SettingSamples.only(setting).lines();
+        String small = setting == Setting.RESOLUTION ? "" : SMALL;
+
+        assertThat(picture(BALL + small, setting.option(), SettingSamples.value(setting))).isEqualTo(picture(BALL + small + line))
+            .isEqualTo(picture(BALL + small, setting.option() + '=' + SettingSamples.value(setting))).isNotEqualTo(picture(BALL + SMALL));
+    }
+
+    static List<Setting<?>> settings() {
+        return Setting.ALL;
     }
 
     @Test

@@ -16,9 +16,13 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.Collectors;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import simpleray.SettingSamples;
 import simpleray.cli.Main;
 import simpleray.math.Colour;
 import simpleray.render.Region;
@@ -27,6 +31,7 @@ import simpleray.render.Stage;
 import simpleray.scene.PerspectiveCamera.Pose;
 import simpleray.scene.Reach;
 import simpleray.scene.SceneSettings;
+import simpleray.scene.Setting;
 
 /** The copied command line makes the very picture of the window, whatever the scene's name and options. */
 class CommandWordsTest {
@@ -101,6 +106,18 @@ class CommandWordsTest {
         assertThat(CommandWords.render(Path.of("/s/a b.scene"), "-a.png", new RenderRequest(asked, Stage.DIFFUSE, true, 4)))
             .containsExactly("render", "/s/a b.scene", "-o", "./-a.png", "--size", "640x480", "--stage", "diffuse", "--depth", "0",
                 "--samples", "adaptive", "--cop", "2.5", "--window", "-1,1.5,-0.1,1.0E-10", "--background", "0,0.5,1");
+    }
+
+    @ParameterizedTest
+    @MethodSource("settings")
+    void everySettingWithAnOptionIsSaid(Setting<?> setting) {
+        List<String> words = CommandWords.render(Path.of("/a.scene"), "a.png", new RenderRequest().with(SettingSamples.only(setting)));
+
+        assertThat(words).endsWith(setting.option(), SettingSamples.value(setting)).hasSize(6);
+    }
+
+    static List<Setting<?>> settings() {
+        return Setting.ALL.stream().filter(setting -> setting.option() != null).collect(Collectors.toList());
     }
 
     @Test

@@ -9,6 +9,7 @@ import javax.swing.text.Segment;
 import org.fife.ui.rsyntaxtextarea.Token;
 import org.fife.ui.rsyntaxtextarea.TokenTypes;
 import org.junit.jupiter.api.Test;
+import simpleray.scene.Setting;
 
 /** What is coloured how in a scene's text. */
 class SceneTokensTest {
@@ -34,6 +35,8 @@ class SceneTokensTest {
         assertThat(tokens("  background 0 0 1")).containsExactly("keyword background", "number 0", "number 0", "number 1");
         assertThat(tokens("20 transmit 1 1 1 1.5")).startsWith("number 20", "keyword transmit");
         assertThat(tokens("mirror 0 0 0")).startsWith("keyword mirror");
+        assertThat(Setting.keywords()).isNotEmpty()
+            .allSatisfy(keyword -> assertThat(tokens(keyword + " 1")).startsWith("keyword " + keyword));
     }
 
     @Test
