@@ -7,14 +7,14 @@ import java.util.function.Supplier;
 
 /**
  * A picture: rows of linear RGB, not clamped, the top row first. <em>Mutable</em>: each row is set once, by any thread, and a row
- * that is set is seen by all. A row that nobody needs any more can be let go of.
+ * that is set is visible to all threads. A row that is no longer needed can be released.
  */
 public final class Picture {
     /** The longest side of a picture, in pixels. */
     public static final int LONGEST_SIDE = 65535;
     private static final int LEVELS = 255;
     private static final int BITS = 8;
-    /** So many bits to the right there is only the sign: all bits on for a negative number, off for others. */
+    /** A shift by so many bits leaves only the sign: all bits are 1 for a negative number, and 0 for others. */
     private static final int SIGN = 31;
 
     private final int width;
@@ -55,7 +55,7 @@ public final class Picture {
     }
 
     /**
-     * Sets the texts that the picture's file carries beside the pixels.
+     * Sets the texts that the picture's file carries.
      *
      * @param told the texts
      */
@@ -64,15 +64,15 @@ public final class Picture {
     }
 
     /**
-     * Sets a supplier of the texts that the picture's file carries beside the pixels.
+     * Sets how to make the texts that the picture's file carries.
      *
-     * @param later makes the texts; asked, by any thread, when the file is begun
+     * @param later makes the texts; called by any thread when the file is begun
      */
     public void tell(Supplier<List<PictureText>> later) {
         textsLater = later;
     }
 
-    /** {@return the texts that the picture's file carries beside the pixels} */
+    /** {@return the texts that the picture's file carries} */
     public List<PictureText> texts() {
         Supplier<List<PictureText>> later = textsLater;
         return later == null ? texts : later.get();
@@ -87,7 +87,7 @@ public final class Picture {
      * Sets a row.
      *
      * @param y its number, 0 at the top
-     * @param rgb red, green and blue of each pixel from the left, linear; kept, and not to be changed any more
+     * @param rgb red, green and blue of each pixel from the left, linear; kept, and must not be changed afterwards
      */
     public void setRow(int y, double[] rgb) {
         if (rgb.length != 3 * width) {
@@ -97,7 +97,7 @@ public final class Picture {
     }
 
     /**
-     * Lets go of a row, so that it takes no more memory. Its numbers may change from now on: they may become another row.
+     * Releases the memory of a row. Its array may be reused for another row.
      *
      * @param y its number, 0 at the top
      */
@@ -106,7 +106,7 @@ public final class Picture {
     }
 
     /**
-     * Finds a row.
+     * Returns a row.
      *
      * @param y its number, 0 at the top
      * @return red, green and blue of each pixel from the left, linear, not to be changed; null if the row was not set yet or is released
@@ -116,11 +116,11 @@ public final class Picture {
     }
 
     /**
-     * Finds a row as it stands in a picture file.
+     * Returns the levels of a row, as in a picture file.
      *
      * @param y its number, 0 at the top
      * @return red, green and blue of each pixel from the left, 0 to 255 each; a new array
-     * @throws IllegalStateException if the row is not there
+     * @throws IllegalStateException if the picture does not have the row
      */
     public byte[] levels(int y) {
         byte[] levels = new byte[3 * width];
@@ -129,10 +129,10 @@ public final class Picture {
     }
 
     /**
-     * Turns light into levels.
+     * Converts light to levels.
      *
      * @param linear red, green and blue of each pixel, linear
-     * @return the same, 0 to 255 each; a new array
+     * @return their levels, 0 to 255 each; a new array
      */
     public static byte[] levels(double[] linear) {
         byte[] levels = new byte[linear.length];
@@ -141,10 +141,10 @@ public final class Picture {
     }
 
     /**
-     * Copies the picture into an image of AWT. Nothing else here loads a class of AWT.
+     * Copies the picture into an image of AWT. No other method loads a class of AWT.
      *
      * @return a new image of type {@link BufferedImage#TYPE_INT_RGB}, with the levels of a picture file
-     * @throws IllegalStateException if a row is not there
+     * @throws IllegalStateException if a row is missing
      */
     public BufferedImage toBufferedImage() {
         BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
@@ -160,11 +160,11 @@ public final class Picture {
     }
 
     /**
-     * Puts the levels of a row into an array.
+     * Writes the levels of a row into an array.
      *
      * @param y its number, 0 at the top
      * @param levels gets red, green and blue of each pixel, 0 to 255 each
-     * @param from where in it they begin
+     * @param from the index of the first level
      * @throws IllegalStateException if the picture does not have the row
      */
     public void levels(int y, byte[] levels, int from) {
@@ -176,10 +176,10 @@ public final class Picture {
     }
 
     /**
-     * Turns levels into light, of which {@link #levels(int)} makes the same levels again.
+     * Converts levels to light, which {@link #levels(int)} converts to the same levels.
      *
      * @param levels levels from 0 to 255
-     * @return a new array of as many numbers from 0 to 1
+     * @return as many numbers from 0 to 1; a new array
      */
     public static double[] light(byte[] levels) {
         double[] light = new double[levels.length];
@@ -190,9 +190,9 @@ public final class Picture {
     }
 
     /**
-     * Adds pictures, light to light and not clamped.
+     * Adds the light of pictures, without clamping.
      *
-     * @param pictures one or more of one size, whole; added in this order
+     * @param pictures one or more of one size, complete; added in this order
      * @return a new picture
      */
     public static Picture sum(List<Picture> pictures) {
@@ -211,7 +211,7 @@ public final class Picture {
     }
 
     /**
-     * Turns light into a level: clamped to 0..1, linear, no gamma.
+     * Converts light to a level: clamped to 0..1, linear, without gamma.
      *
      * @param c a component of a colour
      * @return floor(255 c + 0.5), from 0 to 255
@@ -223,15 +223,15 @@ public final class Picture {
     }
 
     /**
-     * Most of a run's first picture comes here before this is compiled well. A pixel at a time, and without calls and branches, it
-     * takes a tenth of the time until then, and compiles fast.
+     * Most of a run's first picture is converted before this method is fully compiled. A loop over pixels without calls and branches takes
+     * a tenth of the time until then, and is compiled fast.
      */
     private static void levels(double[] linear, byte[] levels, int from) {
         for (int i = 0, k = from; i < linear.length; i += 3, k += 3) {
-            int red = (int) (LEVELS * linear[i] + 0.5);       // to 0 from both sides, so that no level below 0 becomes positive; NaN is 0
+            int red = (int) (LEVELS * linear[i] + 0.5);       // rounds towards 0, so a negative number becomes none above 0; NaN is 0
             int green = (int) (LEVELS * linear[i + 1] + 0.5);
             int blue = (int) (LEVELS * linear[i + 2] + 0.5);
-            // below 0 no bit stays on; above 255 all bits go on, of which a byte has eight
+            // below 0 all bits become 0; above 255 all bits become 1, of which a byte keeps eight
             levels[k] = (byte) (red & ~(red >> SIGN) | -(red >> BITS) >> SIGN);
             levels[k + 1] = (byte) (green & ~(green >> SIGN) | -(green >> BITS) >> SIGN);
             levels[k + 2] = (byte) (blue & ~(blue >> SIGN) | -(blue >> BITS) >> SIGN);

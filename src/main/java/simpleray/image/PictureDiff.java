@@ -11,7 +11,7 @@ public final class PictureDiff {
     private double squares;
 
     /**
-     * Begins.
+     * Begins a comparison.
      *
      * @param width the width of both in pixels
      * @param height the height of both in pixels
@@ -22,11 +22,11 @@ public final class PictureDiff {
     }
 
     /**
-     * Takes the next row of both.
+     * Adds the next row of both pictures.
      *
-     * @param one red, green and blue of each pixel of one
-     * @param other and of the other
-     * @return the largest of its three differences for each pixel
+     * @param one red, green and blue of each pixel of one picture
+     * @param other red, green and blue of each pixel of the other
+     * @return for each pixel the largest of its three differences
      */
     public int[] row(byte[] one, byte[] other) {
         int[] differences = new int[one.length / 3];
@@ -50,22 +50,22 @@ public final class PictureDiff {
         return maximum;
     }
 
-    /** {@return how many pixels have a level that differs by more than 1} */
+    /** {@return the number of pixels with a level that differs by more than 1} */
     public long beyondOneLevel() {
         return beyond;
     }
 
-    /** {@return how many pixels each has} */
+    /** {@return the number of pixels of each picture} */
     public long pixels() {
         return pixels;
     }
 
-    /** {@return the root of the mean of the squares of the differences of all levels} */
+    /** {@return the root mean square error of all levels, RMSE} */
     public double rmse() {
         return Math.sqrt(squares / (3.0 * pixels));
     }
 
-    /** {@return the ratio of 255 to that in decibels; infinite for equal pictures} */
+    /** {@return the peak signal-to-noise ratio, PSNR, in decibels; infinite for equal pictures} */
     public double psnr() {
         return 20 * Math.log10(LEVEL / rmse());
     }

@@ -5,17 +5,17 @@ import java.nio.charset.StandardCharsets;
 /**
  * A text that a picture's file carries. <em>Constant.</em>
  *
- * @param keyword the kind of text: 1 to 79 printable ASCII characters
+ * @param keyword its name: 1 to 79 printable ASCII characters
  * @param text the text, UTF-8; referenced, and not to be changed
  */
 public record PictureText(String keyword, byte[] text) {
-    /** The longest text that is read or written: libpng refuses chunks of 8 MB, and others texts that unpack to more than one. */
+    /** The longest text that is read or written: libpng refuses chunks of 8 MB, and other programs texts of more than 1 MB when decompressed. */
     public static final int LONGEST = 4 << 20;
 
     /**
      * Creates a text of characters.
      *
-     * @param keyword the kind of text
+     * @param keyword its name
      * @param text the text
      */
     public PictureText(String keyword, String text) {

@@ -4,13 +4,13 @@ import java.util.List;
 import java.util.stream.Collectors;
 
 /**
- * A font of {@value #WIDTH} by {@value #HEIGHT} dots for printable ASCII, drawn for this program: labels need no font of the system, and
- * are the same everywhere. <em>Constant.</em>
+ * A font of {@value #WIDTH} by {@value #HEIGHT} dots for printable ASCII, drawn for this program: labels need no font of the system and
+ * look the same everywhere. <em>Constant.</em>
  */
 final class PixelFont {
-    /** Dots of a character from left to right; one more keeps it from the next. */
+    /** The width of a character in dots; one more separates it from the next. */
     static final int WIDTH = 5;
-    /** Dots of a character from top to bottom: seven above the line that it stands on, two below. */
+    /** The height of a character in dots: seven above the baseline, two below. */
     static final int HEIGHT = 9;
 
     private static final char FIRST = ' ';
@@ -83,13 +83,13 @@ final class PixelFont {
     private PixelFont() {
     }
 
-    /** {@return how many dots a text of so many characters takes from left to right} */
+    /** {@return the width in dots of a text of so many characters} */
     static int width(int characters) {
         return Math.max(0, characters * (WIDTH + 1) - 1);
     }
 
     /**
-     * Tells whether a dot of a line of text is dark.
+     * Returns whether a dot of a line of text is dark.
      *
      * @param text the text; characters other than printable ASCII become question marks
      * @param x dots from the left, 0 or more

@@ -6,29 +6,29 @@ import java.util.List;
 import java.util.stream.Collectors;
 
 /**
- * Lays out pictures of one size side by side on white paper, pixel for pixel and each with a label below, as a figure of a thesis.
+ * Lays out pictures of one size side by side on white paper, each with a label below, as a figure of a thesis.
  * <em>Constant.</em>
  *
  * <p>Letters and margins grow with the pictures, so that a sheet looks the same at any size. A label that is wider than its picture
- * goes on in the next line, and a single word that is wider makes room for itself.
+ * continues in the next line; a single word that is wider widens its column.
  */
 public final class Sheet {
     private static final double PAPER = 1;
     private static final double INK = 0.1;
-    /** Letters and margins are measured in dots; so many pixels of a picture's shorter side make them one pixel large, rounded. */
+    /** Letters and margins are measured in dots; a dot has one pixel for so many pixels of a picture's shorter side, rounded. */
     private static final int PIXELS_A_DOT = 200;
     /** Dots around the sheet, and between two pictures. */
     private static final int MARGIN = 12;
     /** Dots between a picture and its label. */
     private static final int GAP = 7;
-    /** Dots from the top of one line of a label to that of the next. */
+    /** Dots from the top of one line of a label to the top of the next. */
     private static final int LINE = PixelFont.HEIGHT + 2;
 
     private final int pictureWidth;
     private final int pictureHeight;
     private final List<List<String>> labels;                  // the lines of each
-    private final int dot;                                    // all that follows is in pixels
-    private final int cell;                                   // the width that a picture and its label have to themselves
+    private final int dot;                                    // the size of a dot; this and what follows is in pixels
+    private final int cell;                                   // the width of a picture's column
     private final int width;
     private final int height;
 
@@ -72,8 +72,8 @@ public final class Sheet {
     /**
      * Fills the sheet.
      *
-     * @param pictures as many as there are labels, whole and of the size laid out for
-     * @return a new picture; theirs are copied with their linear light
+     * @param pictures as many as there are labels, complete and of the size given before
+     * @return a new picture, with copies of their linear light
      */
     public Picture with(List<Picture> pictures) {
         if (pictures.size() != labels.size()
@@ -99,7 +99,7 @@ public final class Sheet {
         return sheet;
     }
 
-    /** Writes the labels into a row so many dots below their top. */
+    /** Writes the dots of all labels that are in a row of pixels, so many dots below their top. */
     private void write(double[] row, int y) {
         int line = Math.floorDiv(y, LINE);
         int glyphRow = Math.floorMod(y, LINE);

@@ -3,7 +3,7 @@ package simpleray.image;
 /**
  * The structural similarity of two pictures, SSIM (Wang, Bovik, Sheikh and Simoncelli, "Image quality assessment: from error visibility to
  * structural similarity", 2004): of their luma, in windows of 11 x 11 pixels weighted by a Gaussian of 1.5 pixels, K1 = 0.01, K2 = 0.03,
- * its mean over all windows that lie within the picture. In a picture that is narrower or lower the window is as well. <em>Mutable,</em>
+ * its mean over all windows that lie within the picture. In a smaller picture the window is smaller, too. <em>Mutable,</em>
  * for one thread.
  */
 final class Similarity {
@@ -11,13 +11,13 @@ final class Similarity {
     private static final double SIGMA = 1.5;
     private static final double C1 = 0.01 * 255 * 0.01 * 255;
     private static final double C2 = 0.03 * 255 * 0.03 * 255;
-    /** The averaged quantities: a, b, a², b² and ab. */
+    /** The means taken: of a, b, a², b² and ab. */
     private static final int MEANS = 5;
 
     private final double[] across;
     private final double[] down;
     private final int windows;                                // side by side
-    private final double[][] rows;                            // the latest, their means across, in the place of their number modulo
+    private final double[][] rows;                            // the means across of the latest rows, each at its number modulo the window's
     private int taken;
     private double sum;
 
@@ -42,7 +42,7 @@ final class Similarity {
         return weights;
     }
 
-    /** Takes the next row of both. */
+    /** Adds the next row of both pictures. */
     void row(byte[] one, byte[] other) {
         double[] a = luma(one);
         double[] b = luma(other);
@@ -76,7 +76,7 @@ final class Similarity {
         }
     }
 
-    /** {@return luma as of ITU-R BT.601} */
+    /** {@return the luma of a pixel, by ITU-R BT.601} */
     private static double[] luma(byte[] rgb) {
         double[] luma = new double[rgb.length / 3];
         for (int x = 0; x < luma.length; x++) {
@@ -99,7 +99,7 @@ final class Similarity {
         return (2 * ab + C1) * (2 * (mean[4] - ab) + C2) / ((aa + bb + C1) * (mean[2] - aa + (mean[3] - bb) + C2));
     }
 
-    /** {@return the mean, once all rows were taken: 1 for equal pictures, less for others} */
+    /** {@return the mean of all rows, to be called after the last: 1 for equal pictures, less for others} */
     double value() {
         return sum / ((double) windows * (taken - down.length + 1));
     }

@@ -4,7 +4,7 @@ import java.util.Locale;
 import java.util.function.ToDoubleFunction;
 import simpleray.math.Colour;
 
-/** Which colour channels a scene for POV-Ray shows. Of one channel it shows a grey picture, and exactly ours. */
+/** The colour channels that a scene for POV-Ray shows. With one channel it shows a grey picture, which equals ours. */
 public enum PovChannel {
     /** Red alone. */
     R(c -> c.r),
@@ -21,13 +21,13 @@ public enum PovChannel {
         this.value = value;
     }
 
-    /** {@return the name as the command line has it, in lower case} */
+    /** {@return the name on the command line, in lower case} */
     @Override
     public String toString() {
         return name().toLowerCase(Locale.ROOT);
     }
 
-    /** {@return a new colour that shows these channels of another} */
+    /** {@return a new colour with only these channels of another} */
     Colour of(Colour c) {
         if (value == null) {
             return new Colour(c);

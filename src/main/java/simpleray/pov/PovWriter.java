@@ -20,11 +20,11 @@ import simpleray.scene.Triangle;
 import simpleray.text.SceneWriter;
 
 /**
- * Writes cameras, lights and shapes in POV-Ray's scene language. Vectors are written as they are, so that POV-Ray has our right-handed
- * axes. A kind that is not listed here is refused.
+ * Writes cameras, lights and shapes in POV-Ray's scene language. Vectors are written unchanged, so that POV-Ray has our right-handed
+ * axes. Other kinds are refused.
  */
 final class PovWriter {
-    /** The distance of a directional light in POV-Ray, which knows no infinity. */
+    /** The distance of a directional light in POV-Ray, which has no infinity. */
     private static final double DISTANCE = 1e6;
 
     private PovWriter() {
@@ -81,7 +81,7 @@ final class PovWriter {
      * Writes a light.
      *
      * @param light the light
-     * @param place its place in the scene, from 0, for the message if there is no such light in POV-Ray
+     * @param place its index in the scene, for the message if POV-Ray has no such light
      * @param colour the colour to write in place of its own
      */
     static void light(SceneWriter os, Light light, int place, Colour colour) throws IOException {
@@ -99,17 +99,17 @@ final class PovWriter {
     }
 
     /**
-     * Writes a shape without its material and without the closing brace. The normals of POV-Ray's triangles point the other way, and so
-     * their vertices run the other way round.
+     * Writes a shape without its material and without the closing brace. The vertices of a triangle are written in reverse order, since
+     * its normal in POV-Ray points the other way.
      *
      * @param object the shape
-     * @param place its place in the scene, from 0, for the message if there is no such shape in POV-Ray
+     * @param place its index in the scene, for the message if POV-Ray has no such shape
      */
     static void shape(SceneWriter os, Object object, int place) throws IOException {
         if (object instanceof Sphere sphere) {
             point(os, "sphere { ", sphere.centre);
             value(os, ", ", sphere.radius);
-        } else if (object instanceof Plane plane) {           // inside is the same side there as here
+        } else if (object instanceof Plane plane) {           // POV-Ray has the same side inside
             vector(os, "plane { ", plane.normal.normalised());
             value(os, ", ", plane.constant / plane.normal.norm());
         } else if (object instanceof Triangle triangle) {

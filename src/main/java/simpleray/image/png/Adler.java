@@ -1,6 +1,6 @@
 package simpleray.image.png;
 
-/** The checksum of a zlib stream, Adler-32 (RFC 1950, section 8.2), put together from those of its pieces. <em>Mutable.</em> */
+/** The checksum of a zlib stream, Adler-32 (RFC 1950, section 8.2), computed from those of its pieces. <em>Mutable.</em> */
 final class Adler {
     private static final int HALF = 16;
     private static final int MASK = 0xFFFF;
@@ -10,7 +10,7 @@ final class Adler {
     private long high;                                        // the sum of low after each byte
 
     /**
-     * Appends a piece. Its low half began at 1, where ours goes on from our own: each of its bytes adds the difference to the high half.
+     * Appends a piece. Its low half began at 1 and ours does not: each of its bytes adds the difference to the high half.
      *
      * @param sum the piece's Adler-32
      * @param length its number of bytes

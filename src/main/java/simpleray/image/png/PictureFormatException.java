@@ -2,7 +2,7 @@ package simpleray.image.png;
 
 import java.io.IOException;
 
-/** Thrown for a picture file that is damaged, or lacks the requested content. */
+/** A picture file is damaged, or does not contain what is wanted. */
 public final class PictureFormatException extends IOException {
     private static final long serialVersionUID = 1L;
 

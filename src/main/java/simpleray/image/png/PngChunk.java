@@ -9,7 +9,7 @@ import java.util.zip.CRC32;
 import java.util.zip.Deflater;
 import simpleray.image.PictureText;
 
-/** A chunk of a PNG file in the making: the length of its data, its name, its data and a checksum. <em>Mutable.</em> */
+/** A chunk of a PNG file to be written: the length of its data, its name, its data and a checksum. <em>Mutable.</em> */
 final class PngChunk {
     private static final int HEAD = 8;                        // length and name
     private static final int SUM = 4;
@@ -22,7 +22,7 @@ final class PngChunk {
      * Begins a chunk.
      *
      * @param name its four letters
-     * @param room for so many bytes of data at first, 1 or more
+     * @param room the number of bytes of data to make room for, 1 or more; it grows
      */
     PngChunk(String name, int room) {
         bytes = Arrays.copyOf(ByteBuffer.allocate(HEAD).putInt(0).put(name.getBytes(StandardCharsets.US_ASCII)).array(), HEAD + room + SUM);
@@ -48,7 +48,7 @@ final class PngChunk {
         byte[] keyword = text.keyword().getBytes(StandardCharsets.US_ASCII);
         PngChunk chunk = new PngChunk(PngChunks.TEXT, keyword.length + NO_LANGUAGE + text.text().length);
         chunk.put(keyword);
-        chunk.put(0, 0, 0, 0, 0);                             // not packed, in no language, and the keyword in none
+        chunk.put(0, 0, 0, 0, 0);                             // uncompressed, without language and translated keyword
         chunk.put(text.text());
         return chunk.finished();
     }
@@ -57,7 +57,7 @@ final class PngChunk {
         put(data >>> 24, data >>> 16, data >>> 8, data);
     }
 
-    /** Takes all that the compressor has to give. */
+    /** Appends all output of a compressor. */
     void putAll(Deflater deflater, int flush) {
         int room;
         int some;
@@ -75,7 +75,7 @@ final class PngChunk {
         }
     }
 
-    /** Puts length and checksum in their places; nothing may be put after it. */
+    /** Sets length and checksum; nothing may be appended afterwards. */
     PngChunk finished() {
         CRC32 crc = new CRC32();
         ByteBuffer.wrap(bytes).putInt(end - HEAD);

@@ -12,7 +12,7 @@ import java.util.zip.CRC32;
  * <em>Mutable,</em> for one thread.
  */
 public final class PngChunks {
-    /** The bytes with which each file begins; none of UTF-8 begins like them. */
+    /** The first bytes of each file; no text in UTF-8 begins with them. */
     private static final byte[] SIGNATURE = {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
     /** The chunk of a text. */
     static final String TEXT = "iTXt";
@@ -23,29 +23,29 @@ public final class PngChunks {
     private final InputStream in;
     private final String file;
     private final CRC32 sum = new CRC32();
-    private byte[] passed;                                    // scratch space for skipped bytes
+    private byte[] passed;                                    // for bytes that are skipped
     private String name = "";
     private boolean ended;
     private long left = -1;                                   // bytes of the chunk's data; -1: there is no chunk
 
     /**
-     * Begins behind a file's signature.
+     * Begins after the signature of a file.
      *
      * @param in the file
-     * @param file the file's name for messages
+     * @param file its name in messages
      */
     public PngChunks(InputStream in, String file) {
         this.in = in;
         this.file = file;
     }
 
-    /** {@return the bytes with which a PNG file begins} */
+    /** {@return the first bytes of a PNG file} */
     public static byte[] signature() {
         return SIGNATURE.clone();
     }
 
     /**
-     * Looks whether a file is a PNG. No more bytes are waited for than are needed.
+     * Reads the signature, if the file is a PNG; else reads nothing. It waits for no more bytes than it needs.
      *
      * @param in the file, which can take back 8 bytes; behind the signature then, or at its beginning again if it is none
      * @return whether it has the signature
@@ -68,7 +68,7 @@ public final class PngChunks {
     }
 
     /**
-     * Passes over the signature.
+     * Reads the signature.
      *
      * @return these chunks
      * @throws PictureFormatException if it is none
@@ -81,9 +81,9 @@ public final class PngChunks {
     }
 
     /**
-     * Moves to the next chunk. Skips the unread rest of the current one, and checks its sum.
+     * Moves to the next chunk. The rest of the current one is skipped; its checksum is checked.
      *
-     * @return its name; null behind the last one
+     * @return its name; null after the last one
      * @throws PictureFormatException if the file is damaged
      */
     String next() throws IOException {
@@ -120,10 +120,10 @@ public final class PngChunks {
     /**
      * Reads some of the chunk's data.
      *
-     * @param bytes where to
-     * @param from where there
-     * @param most how many at most
-     * @return how many; -1 at the chunk's end
+     * @param bytes gets the data
+     * @param from the index of the first byte
+     * @param most the largest number of bytes to read
+     * @return the number of bytes read; -1 at the chunk's end
      * @throws PictureFormatException if the file ends
      */
     int read(byte[] bytes, int from, int most) throws IOException {
@@ -142,7 +142,7 @@ public final class PngChunks {
     /**
      * Reads the rest of the chunk.
      *
-     * @param most how much that may be
+     * @param most the largest number of bytes allowed
      * @return its data
      * @throws PictureFormatException if it is more
      */
@@ -159,10 +159,10 @@ public final class PngChunks {
     }
 
     /**
-     * Makes an exception for a fault of the file.
+     * Creates an exception about the file.
      *
-     * @param fault the fault
-     * @return the exception to be thrown
+     * @param fault what is wrong with it
+     * @return the exception
      */
     PictureFormatException fault(String fault) {
         return new PictureFormatException(file, fault);

@@ -19,12 +19,12 @@ import javax.imageio.stream.ImageInputStream;
 import simpleray.image.Picture;
 
 /**
- * Reads the pixels of a PNG file row by row, as red, green and blue from 0 to 255: of 16 bits the upper 8, greys three times, without
- * transparency. ImageIO decodes them, in strips that fit into memory; the file's checksums, which it passes over, are checked first.
+ * Reads the pixels of a PNG file row by row, as red, green and blue from 0 to 255: the upper 8 of 16 bits, greys three times, without
+ * transparency. ImageIO decodes them, in strips that fit into memory; the file's checksums, which it ignores, are checked first.
  * <em>Mutable,</em> for one thread.
  */
 public final class PngReader implements Closeable {
-    /** A strip takes this part of the heap at most; each takes decoding the file from its beginning. */
+    /** A strip takes at most this part of the heap. For each strip the file is decoded from its beginning. */
     private static final int PART_OF_HEAP = 8;
     private static final int MAX_PIXEL_BYTES = 8;             // red, green, blue and opacity of 16 bits
 
@@ -53,7 +53,7 @@ public final class PngReader implements Closeable {
             }
         }, file).begin();
         while (chunks.next() != null) {
-            continue;                                         // their checksums are right
+            continue;                                         // checks their checksums
         }
         in.seek(0);
         reader = ImageIO.getImageReadersByFormatName("png").next();
@@ -71,10 +71,10 @@ public final class PngReader implements Closeable {
     }
 
     /**
-     * Begins a file.
+     * Opens a file.
      *
-     * @param file its path, as it stands in messages
-     * @return its rows
+     * @param file its path, as in messages
+     * @return a reader of its rows
      * @throws PictureFormatException if it is no PNG, or a damaged one
      * @throws IOException if it cannot be read
      */
@@ -88,11 +88,11 @@ public final class PngReader implements Closeable {
     }
 
     /**
-     * Begins a file that comes as a stream, and reads it to its end.
+     * Opens a file that comes as a stream, and reads it to its end.
      *
      * @param in the stream, which stays open
-     * @param file the file's name for messages
-     * @return its rows
+     * @param file its name in messages
+     * @return a reader of its rows
      * @throws PictureFormatException if it is no PNG, or a damaged one
      * @throws IOException if it cannot be read
      */
@@ -100,7 +100,7 @@ public final class PngReader implements Closeable {
         return open(in, file, Picture.LONGEST_SIDE);
     }
 
-    /** Begins a file, of which so many rows are held in memory at most. */
+    /** Opens a file, of which at most so many rows are held in memory. */
     static PngReader open(InputStream in, String file, int maxStripRows) throws IOException {
         return open(ImageIO.createImageInputStream(in), file, maxStripRows);
     }

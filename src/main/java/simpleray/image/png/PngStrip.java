@@ -6,9 +6,9 @@ import java.util.zip.Deflater;
 import simpleray.image.Picture;
 
 /**
- * Some neighbouring rows of a picture on their way into a PNG file. They are filtered and compressed without a look at any other strip:
- * the first row is predicted from its left, and each of the others from the one above it, which was found to give smaller files
- * at this level than a choice from all of PNG's filters for each row. <em>Mutable</em>; different threads may put different rows.
+ * Some neighbouring rows of a picture that are written to a PNG file. They are filtered and compressed independently of other strips:
+ * the first row is predicted from the left, and each of the others from the row above it, which gives smaller files
+ * at this level than choosing among all of PNG's filters for each row. <em>Mutable</em>; different threads may set different rows.
  */
 final class PngStrip {
     private static final int PIXEL = 3;
@@ -27,7 +27,7 @@ final class PngStrip {
     /**
      * Begins a strip.
      *
-     * @param rows how many rows it has
+     * @param rows its number of rows
      */
     PngStrip(int rows, int width) {
         count = rows;
@@ -42,13 +42,13 @@ final class PngStrip {
     }
 
     /**
-     * Puts a row, once.
+     * Sets a row; to be called once for each.
      *
      * @param i the row's number, 0 for the strip's first
-     * @param picture where it is taken from
-     * @param y its number there
-     * @param sink gets its levels, too; null for none
-     * @return whether it was the last that was missing
+     * @param picture the picture that has it
+     * @param y its number in the picture
+     * @param sink also gets its levels; null for none
+     * @return whether it was the last missing one
      */
     boolean put(int i, Picture picture, int y, RowSink sink) {
         byte[] row = new byte[HEAD + (picture.width() + 1) / 2 * 2 * PIXEL];   // for pairs of pixels, see subtract()
@@ -61,9 +61,9 @@ final class PngStrip {
     }
 
     /**
-     * Filters and compresses the rows, and lets go of them.
+     * Filters and compresses the rows, and releases their memory.
      *
-     * @param chunk gets the blocks of a deflate stream that goes on
+     * @param chunk gets the blocks, which do not end the deflate stream
      */
     void compress(PngChunk chunk) {
         filter();

@@ -20,7 +20,7 @@ public final class PngTextReader {
     /**
      * Reads a file to its end.
      *
-     * @param chunks its chunks from the first on
+     * @param chunks its chunks, from the first one
      * @return the texts of its chunks iTXt by their keywords, UTF-8; of two with one keyword the first
      * @throws PictureFormatException if the file is damaged, or a text is too long
      * @throws IOException if it cannot be read
@@ -57,7 +57,7 @@ public final class PngTextReader {
         throw damaged(chunks);
     }
 
-    /** A few bytes can become gigabytes: nothing is taken beyond the longest text. */
+    /** A few bytes can become gigabytes: nothing beyond the longest text is unpacked. */
     private static byte[] unpacked(PngChunks chunks, byte[] packed) throws IOException {
         Inflater inflater = new Inflater();
         try {

@@ -8,17 +8,17 @@ import simpleray.image.Picture;
 import simpleray.image.PictureText;
 
 /**
- * Writes a picture as PNG while its rows are finished, in any order and by any threads: RGB, 8 bits each (W3C, "Portable Network Graphics
- * Specification", second edition, 2003). Why it is not left to ImageIO: docs/decisions/0002. <em>Mutable</em>; any thread may call.
+ * Writes a picture as PNG while its rows are being finished, in any order and by any threads: RGB, 8 bits each (W3C, "Portable Network
+ * Graphics Specification", second edition, 2003). docs/decisions/0002 tells why ImageIO does not do it. <em>Mutable</em>; any thread may call.
  *
- * <p>The picture is cut into strips. The thread that brings a strip's last row compresses the strip, and writes it if it is its turn. The
+ * <p>The picture is cut into strips. The thread that adds a strip's last row compresses the strip, and writes it if it is the next one. The
  * bytes depend on the picture alone.
  */
 public final class PngWriter {
     private static final int[] FORMAT = {8, 2, 0, 0, 0};      // bits, RGB, deflate, the five filters, not interlaced
     private static final int[] ZLIB = {0x78, 0x01};           // deflate with a window of 32 KiB, compressed fast
     private static final int[] LAST_BLOCK = {0x03, 0x00};     // of no bytes
-    /** A strip has this many rows, and more where they are shorter than the bytes that follow ask for. */
+    /** The least number of rows of a strip; there are more if they have fewer bytes than the next number. */
     private static final int FEWEST_ROWS = 16;
     private static final int FEWEST_BYTES = 1 << 16;
 
@@ -39,7 +39,7 @@ public final class PngWriter {
      * Begins a file; nothing is written yet.
      *
      * @param picture the picture, whose rows may still be missing
-     * @param out where to; it stays open
+     * @param out the stream to write to; stays open
      */
     public PngWriter(Picture picture, OutputStream out) {
         this(picture, out, null);
@@ -49,8 +49,8 @@ public final class PngWriter {
      * Begins a file; nothing is written yet.
      *
      * @param picture the picture, whose rows may still be missing
-     * @param out where to; it stays open
-     * @param sink gets each row, too, on the thread that brings it; null for none
+     * @param out the stream to write to; stays open
+     * @param sink also gets each row, on the thread that adds it; null for none
      */
     public PngWriter(Picture picture, OutputStream out, RowSink sink) {
         this.picture = picture;
@@ -64,7 +64,7 @@ public final class PngWriter {
     }
 
     /**
-     * Estimates the memory that writing takes, beside the rows that are set in the picture.
+     * Estimates the memory that writing takes, in addition to the rows that are set in the picture.
      *
      * @param width the picture's width in pixels
      * @param ahead how many rows are begun at most, of which the first is not taken
@@ -78,7 +78,7 @@ public final class PngWriter {
      * Writes a whole picture. The stream is flushed and stays open.
      *
      * @param picture the picture, all its rows set
-     * @param out where to
+     * @param out the stream to write to
      * @throws IOException if it cannot be written
      */
     public static void write(Picture picture, OutputStream out) throws IOException {
@@ -90,7 +90,7 @@ public final class PngWriter {
     }
 
     /**
-     * Takes a row of the picture, which may then discard it. Writes all strips that are complete and in turn.
+     * Adds a row of the picture, which may then release it. All strips that are next are written.
      *
      * @param y the row, 0 at the top; each once
      * @throws IOException if it cannot be written; nothing more is then
@@ -118,7 +118,7 @@ public final class PngWriter {
         return strip;
     }
 
-    /** Writes a strip, if it is its turn, and those that waited for it. Other threads wait meanwhile, so that strips do not pile up. */
+    /** Writes a strip, if it is the next, and those that waited for it. Other threads wait meanwhile, so that no rows pile up. */
     private synchronized void write(int i, Compressed strip) throws IOException {
         begun.remove(i);
         waiting.put(i, strip);
@@ -145,7 +145,7 @@ public final class PngWriter {
     }
 
     /**
-     * Writes the end of the file, once all rows were taken, and flushes the stream.
+     * Writes the end of the file and flushes the stream; to be called after all rows were added.
      *
      * @throws IOException if it cannot be written
      * @throws IllegalStateException if a row is missing

@@ -1,14 +1,14 @@
 package simpleray.image.png;
 
-/** Takes the rows of a picture as they stand in its file. Any thread may call. */
+/** Gets the rows of a picture as its file has them. Any thread may call. */
 @FunctionalInterface
 public interface RowSink {
     /**
-     * Takes a row.
+     * Gets a row.
      *
      * @param y its number, 0 at the top
-     * @param levels holds red, green and blue of each pixel from the left, 0 to 255 each; changed later, and so to be copied
-     * @param from where in it they begin
+     * @param levels holds red, green and blue of each pixel from the left, 0 to 255 each; must be copied, since it is changed later
+     * @param from the index of the first level
      */
     void row(int y, byte[] levels, int from);
 }

@@ -7,8 +7,8 @@ import java.util.Map;
 import simpleray.image.Picture;
 
 /**
- * Compares a picture with that of a file while its rows are finished, in any order and by any threads. Only rows that wait for one above
- * them are in memory. <em>Mutable</em>; any thread may call.
+ * Compares a picture with that of a file while its rows are being finished, in any order and by any threads. Only rows that wait for one
+ * above them are in memory. <em>Mutable</em>; any thread may call.
  */
 public final class RowsCheck {
     private final Picture picture;
@@ -30,10 +30,10 @@ public final class RowsCheck {
     }
 
     /**
-     * Begins.
+     * Begins a comparison.
      *
      * @param picture the picture, whose rows may still be missing
-     * @param file another of that size
+     * @param file a picture of the same size
      */
     public RowsCheck(Picture picture, PngReader file) {
         this.picture = picture;
@@ -41,7 +41,7 @@ public final class RowsCheck {
     }
 
     /**
-     * Takes a row of the picture, which may let go of it then.
+     * Adds a row of the picture, which may then release it.
      *
      * @param y the row, 0 at the top; each once
      * @throws IOException if the file cannot be read
@@ -75,12 +75,12 @@ public final class RowsCheck {
         return (row[3 * x] & 0xFF) + "," + (row[3 * x + 1] & 0xFF) + ',' + (row[3 * x + 2] & 0xFF);
     }
 
-    /** {@return how many pixels differ, of the rows that were taken} */
+    /** {@return the number of pixels that differ in the rows that were added} */
     public synchronized long different() {
         return different;
     }
 
-    /** {@return the first pixel that differs, row after row; null if none does} */
+    /** {@return the first pixel that differs, in the order of rows; null if none does} */
     public synchronized Pixel first() {
         return first;
     }

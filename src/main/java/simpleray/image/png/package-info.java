@@ -1,2 +1,2 @@
-/** PNG files: written row by row while a picture is rendered, read, and compared. Reading is left to ImageIO. */
+/** PNG files: written row by row while a picture is rendered, read with the help of ImageIO, and compared. */
 package simpleray.image.png;
