@@ -35,7 +35,7 @@ final class BenchCommand implements Callable<Integer> {
     private static final int KINDS_SIZE = 10_000;
     private static final int MESH_SIZE = 200_000;
     private static final int QUICK_MESH_SIZE = 2000;
-    /** With all objects asked in turn a picture has so many pixels that about so many are asked by the rays from the eye. */
+    /** About how often a ray from the eye is tested against an object with {@code --accel none}: pictures are made small enough. */
     private static final double MAX_ASKED = 2e7;
     private static final int SIDE = 400;
     private static final int QUICK_SIDE = 40;
@@ -50,7 +50,7 @@ final class BenchCommand implements Callable<Integer> {
 
     private final int all = Runtime.getRuntime().availableProcessors();
 
-    /** What one rendering took, without the time to make the scene ready; and what it did: null where all objects are asked. */
+    /** The times of a rendering, apart from each other, and its statistics, which are null with {@code --accel none}. */
     private record Run(double ready, double seconds, RayStats stats) {
     }
 
@@ -58,7 +58,7 @@ final class BenchCommand implements Callable<Integer> {
     public Integer call() throws CommandException {
         say("SimpleRay on Java %s, %d processors; pictures of %d x %d, medians of %d", System.getProperty("java.version"), all,
             side(), side(), runs());
-        interactive();                                        // first: a window that shows one scene has the machine's compiler to itself
+        interactive();                                        // first: in a window with one scene the JIT compiler has nothing else to do
         kinds();
         growth();
         scenes();
@@ -66,7 +66,7 @@ final class BenchCommand implements Callable<Integer> {
         return ExitCode.DONE;
     }
 
-    /** A kind of rays costs what a rendering with them takes more than the same one without. */
+    /** Measures each kind of rays: a rendering with them takes longer than the same one without. */
     private void kinds() throws CommandException {
         Scene scene = BenchScenes.even(quick ? SIZES[0] : KINDS_SIZE, false);
         Run primary = median(scene, Stage.ORIGINAL, DEPTH, 1);
@@ -102,7 +102,7 @@ final class BenchCommand implements Callable<Integer> {
         say("the time to render grows as the number of spheres to the power of %.3f", slope(points));
     }
 
-    /** What lies unevenly, and what is no sphere, beside even spheres; each also with all objects asked in turn, as the thesis does. */
+    /** Measures other scenes beside even spheres; each also with all objects tested in turn, as in the thesis. */
     private void scenes() throws CommandException {
         int n = quick ? SIZES[1] : KINDS_SIZE;
         int triangles = quick ? QUICK_MESH_SIZE : MESH_SIZE;
@@ -120,10 +120,10 @@ final class BenchCommand implements Callable<Integer> {
         Scene scene = maker.get();
         RenderSettings settings = new RenderSettings(Stage.FINAL, DEPTH, 1, all);
         Run run = median(scene, settings, side());
-        double ready = run(maker.get(), settings, side()).ready;   // of a new scene: a mesh keeps its tree
+        double ready = run(maker.get(), settings, side()).ready;   // of a new scene, since a mesh keeps its tree
         long rays = run.stats.rays();
         int none = (int) Math.min(side(), Math.sqrt(MAX_ASKED / scene.getNumberObjects()));
-        long noneRays = run(scene, settings, none).stats.rays();   // which are not counted where all objects are asked
+        long noneRays = run(scene, settings, none).stats.rays();   // not counted with --accel none
         double seconds = median(scene, new RenderSettings(Stage.FINAL, DEPTH, 1, Accel.NONE, all, null), none).seconds;
         say("%-30s   %13.3f   %9.3f   %7d   %8.0f   %11.1f   %9.0f (%d x %d)", name, ready, run.seconds, rays, run.seconds / rays * 1e9,
             (double) run.stats.tests / rays, seconds / noneRays * 1e9, none, none);
@@ -162,7 +162,7 @@ final class BenchCommand implements Callable<Integer> {
         SceneSettings settings = new SceneSettings();
         settings.resolution = new SceneSettings.Resolution(side(), side());
         RenderRequest request = new RenderRequest(settings, Stage.FINAL, false, all);
-        PreparedScene prepared = new PreparedScene(thesis);   // as a window keeps it
+        PreparedScene prepared = new PreparedScene(thesis);   // as in a window
         int pictures = quick ? 1 : 200;
         double[] seconds = new double[pictures];
         for (int i = -pictures; i < pictures; i++) {          // the first half warms up

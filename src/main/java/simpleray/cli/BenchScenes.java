@@ -12,7 +12,7 @@ import simpleray.scene.PointLight;
 import simpleray.scene.Scene;
 import simpleray.scene.Sphere;
 
-/** The thesis's room filled with any number of spheres or triangles, to see what they cost; the same ones each time. */
+/** Scenes to measure: the thesis's room filled with any number of spheres or triangles, the same ones each time. */
 final class BenchScenes {
     private static final long SEED = 2014;
     private static final double WALL = 2;
@@ -20,16 +20,16 @@ final class BenchScenes {
     private static final double HALF = 1.9;
     private static final double SHININESS = 5;
     private static final int MATERIALS = 8;
-    /** How much of its own cell an even sphere takes at least and at most. */
+    /** The smallest and the largest radius of an even sphere, as a share of its cell. */
     private static final double SMALLEST = 0.3;
     private static final double LARGEST = 0.45;
 
     private static final int HEAPS = 50;
-    /** The powers of ten between which a heap's spread lies, and a sphere's radius as a share of what is between two in its heap. */
+    /** Ranges of powers of ten: of a heap's spread, and of a sphere's radius as a share of the distance between two in its heap. */
     private static final double[] SPREAD = {-1.7, -0.4};
     private static final double[] SHARE = {-1.3, 0.4};
 
-    /** The closed ring of {@link #mesh}: the radius to the middle of the tube, the tube's own, and how high its waves are and how many. */
+    /** The closed ring of {@link #mesh}: its radius, that of its tube, and the height and the number of its waves. */
     private static final double RING = 0.9;
     private static final double TUBE = 0.4;
     private static final double WAVE = 0.06;
@@ -39,7 +39,7 @@ final class BenchScenes {
     private final Scene scene = new Scene();
     private final Material[] materials = new Material[MATERIALS];
 
-    /** Makes the room, for n objects in it. */
+    /** Creates the room, for n objects in it. */
     private BenchScenes(int n, boolean glass) {
         scene.setNumberObjects(WALLS.length + n);
         for (int i = 0; i < WALLS.length; i++) {
@@ -55,10 +55,10 @@ final class BenchScenes {
     }
 
     /**
-     * Makes a scene of spheres that lie evenly. Each is somewhere in a cell of its own, so that none overlap, and is a little of a mirror,
-     * or of glass.
+     * Makes a scene of evenly distributed spheres. Each is in a cell of its own, so that none overlap, and reflects a little, or is of
+     * glass.
      *
-     * @param n how many spheres
+     * @param n the number of spheres
      * @param glass whether they are of glass
      */
     static Scene even(int n, boolean glass) {
@@ -75,10 +75,10 @@ final class BenchScenes {
     }
 
     /**
-     * Makes a scene of spheres that lie in heaps, as things do in the world: heaps wide and tight, of many and of few, in which spheres of all
-     * sizes overlap. The radii span three decades.
+     * Makes a scene of spheres in heaps, as objects are in the world: wide and tight heaps, of many and of few spheres of all sizes, which
+     * overlap. The radii span three decades.
      *
-     * @param n how many spheres
+     * @param n the number of spheres
      */
     static Scene clusters(int n) {
         BenchScenes room = new BenchScenes(n, false);
@@ -106,7 +106,7 @@ final class BenchScenes {
     /**
      * Makes a scene of one mesh, a ring in the middle of the room whose tube has waves.
      *
-     * @param n about how many triangles
+     * @param n the approximate number of triangles
      */
     static Scene mesh(int n) {
         BenchScenes room = new BenchScenes(1, false);

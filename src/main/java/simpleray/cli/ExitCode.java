@@ -1,6 +1,6 @@
 package simpleray.cli;
 
-/** What the program's exit codes mean; those above 60 are of BSD's sysexits. */
+/** The program's exit codes; those from 64 to 78 are of BSD's sysexits. */
 final class ExitCode {
     static final int DONE = 0;
     static final int DIFFERENT = 1;
@@ -13,9 +13,9 @@ final class ExitCode {
     static final int NO_OUTPUT = 73;
     static final int WRITE_ERROR = 74;
     static final int BUSY = 75;
-    /** Of SIGINT, Ctrl+C; the Java machine itself ends with it. */
+    /** After SIGINT, Ctrl+C; the JVM itself ends with it. */
     static final int INTERRUPTED = 130;
-    /** Of SIGTERM, likewise. */
+    /** After SIGTERM, likewise. */
     static final int TERMINATED = 143;
 
     private ExitCode() {

@@ -2,25 +2,25 @@ package simpleray.cli;
 
 import java.util.Locale;
 
-/** Whether there is room for what is about to be made. */
+/** Checks that there is enough memory for pictures before they are made. */
 final class HeapCheck {
-    /** Memory that everything but pictures may take. */
+    /** The memory for everything but pictures. */
     private static final long SLACK = 16L << 20;
 
     private HeapCheck() {
     }
 
     /**
-     * Makes sure that there is room.
+     * Checks that there is enough memory.
      *
-     * @param what what it is needed for, to stand in the message, such as {@code a picture of 640x480}
-     * @param bytes how much its pictures take
+     * @param what what needs it, for the message, such as {@code a picture of 640x480}
+     * @param bytes the memory that pictures take
      * @throws CommandException if there is less
      */
     static void require(String what, long bytes) throws CommandException {
         long needed = bytes + SLACK;
         if (needed > free()) {
-            System.gc();                                      // what is free is known only after it
+            System.gc();                                      // only after it is the free memory known
             long free = free();
             if (needed > free) {
                 throw new CommandException(ExitCode.NO_MEMORY, String.format(Locale.ROOT,

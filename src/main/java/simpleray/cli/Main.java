@@ -53,7 +53,7 @@ public final class Main implements Runnable {
      *
      * @param args the command line
      * @param in standard input
-     * @param out standard output, for results alone
+     * @param out standard output, only for results
      * @param err standard error, for messages and progress
      * @return the exit code
      */
@@ -76,7 +76,7 @@ public final class Main implements Runnable {
         }
     }
 
-    /** Says what ended a command, and gives the exit code. */
+    /** Reports the exception that ended a command. {@return the exit code} */
     int report(Exception e, String command) {
         if (e instanceof InvalidPathException name) {
             return usage(command, "no file can be called '" + name.getInput() + "' here: " + name.getReason());
@@ -91,14 +91,14 @@ public final class Main implements Runnable {
         return failure.exitCode();
     }
 
-    /** Says what makes no sense in a command line, and gives the exit code. */
+    /** Reports a mistake in a command line. {@return the exit code} */
     int usage(String command, String message) {
         err.println(command + ": " + message.strip().replace('\n', ' ') + " (see " + command + " --help)");
         return ExitCode.USAGE;
     }
 
     private int internal(Throwable e) {
-        if (e instanceof OutOfMemoryError || OutOfMemory.isBehind(e)) {   // the first question loads no class
+        if (e instanceof OutOfMemoryError || OutOfMemory.isBehind(e)) {   // the first test loads no class
             err.println("simpleray: " + OutOfMemory.MESSAGE);
             return ExitCode.NO_MEMORY;
         }
@@ -116,7 +116,7 @@ public final class Main implements Runnable {
         return args;
     }
 
-    /** {@return the version as the jar's manifest has it} */
+    /** {@return the version in the jar's manifest} */
     static String version() {
         String version = Main.class.getPackage().getImplementationVersion();
         return version == null ? "(not packaged)" : version;
@@ -139,7 +139,7 @@ public final class Main implements Runnable {
         throw new IllegalStateException("a command line without command is given the command view");
     }
 
-    /** The version as the jar's manifest has it. */
+    /** The version in the jar's manifest. */
     static final class Version implements IVersionProvider {
         @Override
         public String[] getVersion() {

@@ -25,24 +25,24 @@ final class SceneArgument {
      *
      * @param name a path, or - for standard input
      * @param in standard input
-     * @param reach which OBJ files it may name
+     * @param reach the OBJ files that it may name
      */
     static SceneFile open(String name, InputStream in, Reach reach) throws IOException {
         return name.equals(STREAM) ? SceneFile.read(in, reach) : SceneFile.read(Path.of(name), reach);
     }
 
-    /** {@return what messages call a scene of that name} */
+    /** {@return the name of a scene in messages} */
     static String told(String name) {
         return name.equals(STREAM) ? "<stdin>" : name;
     }
 
     /**
-     * Reads a scene and reports what is odd about it.
+     * Reads a scene and prints its warnings.
      *
      * @param name a path, or - for standard input
      * @param in standard input
-     * @param warnings where warnings go; null for nowhere
-     * @param reach which OBJ files it may name
+     * @param warnings gets the warnings; null for none
+     * @param reach the OBJ files that it may name
      * @return the scene
      * @throws CommandException with the whole report if it is bad or cannot be read
      */

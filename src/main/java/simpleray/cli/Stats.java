@@ -10,9 +10,9 @@ import java.util.stream.Collectors;
 import simpleray.render.RenderStats;
 import simpleray.scene.RayStats;
 
-/** What {@code render --stats} says of a rendering. <em>Constant.</em> */
+/** The statistics that {@code render --stats} prints. <em>Constant.</em> */
 final class Stats {
-    /** How it is written. */
+    /** The format of the output. */
     enum Format {
         /** A line for each figure. */
         TEXT,
@@ -30,10 +30,10 @@ final class Stats {
     private long[] depths = {};
 
     /**
-     * Collects what is to be said.
+     * Collects the statistics.
      *
      * @param readSeconds the time to read the scene
-     * @param render what the rendering did
+     * @param render the statistics of the rendering
      */
     Stats(double readSeconds, RenderStats render) {
         RayStats stats = render.rays();

@@ -6,7 +6,7 @@ import picocli.CommandLine.TypeConversionException;
 import simpleray.text.NumberParser;
 
 /**
- * The values that the shininess takes one after another.
+ * The values of the shininess, one after another.
  *
  * @param values the numbers as they were written, each 0 or more; at least one
  */
