@@ -11,14 +11,14 @@ import java.util.Map;
 import java.util.Set;
 import java.util.function.Function;
 import picocli.AutoComplete.GenerateCompletion;
-import picocli.CommandLine;
 import picocli.CommandLine.HelpCommand;
 import picocli.CommandLine.TypeConversionException;
+import picocli.CommandLine;
 import simpleray.pov.PovChannel;
 import simpleray.render.Accel;
 import simpleray.render.Region;
 import simpleray.render.Stage;
-import simpleray.ui.Look;
+import simpleray.ui.widget.Look;
 
 /** All commands, and how picocli is to read their options. */
 final class Commands {

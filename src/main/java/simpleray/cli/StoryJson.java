@@ -9,12 +9,12 @@ import simpleray.math.Point;
 import simpleray.math.Vector;
 import simpleray.render.PixelStory;
 import simpleray.scene.Material;
-import simpleray.scene.RayTree;
 import simpleray.scene.RayTree.Between;
 import simpleray.scene.RayTree.Hit;
 import simpleray.scene.RayTree.Lamp;
 import simpleray.scene.RayTree.Next;
 import simpleray.scene.RayTree.Thing;
+import simpleray.scene.RayTree;
 import simpleray.text.ShortestDecimal;
 
 /** A pixel's story as one JSON object, its numbers to the last bit. What is infinite, or not known, is null. */

@@ -11,9 +11,9 @@ import simpleray.image.Picture;
 import simpleray.render.RenderRequest;
 import simpleray.scene.SceneSettings.Resolution;
 import simpleray.scene.Setting;
-import simpleray.ui.Look;
-import simpleray.ui.SceneSource;
 import simpleray.ui.Viewer;
+import simpleray.ui.file.SceneSource;
+import simpleray.ui.widget.Look;
 
 /** Opens the window. */
 @Command(mixinStandardHelpOptions = true, sortOptions = false,

@@ -3,6 +3,7 @@ package simpleray.ui;
 import java.awt.Graphics;
 import java.awt.Image;
 import javax.swing.Timer;
+import simpleray.ui.desktop.ProgramIcon;
 
 /**
  * The training run for the archive of classes (class data sharing) that the script {@code simpleray} makes: a window that is not shown renders,

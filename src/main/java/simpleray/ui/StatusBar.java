@@ -11,6 +11,7 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JProgressBar;
 import simpleray.render.Progress;
+import simpleray.ui.picture.RenderJob;
 
 /** One line that says how far the rendering is: rows done, time gone, time left, size. */
 final class StatusBar extends JPanel {

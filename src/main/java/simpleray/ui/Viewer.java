@@ -9,6 +9,10 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicReference;
 import javax.swing.SwingUtilities;
 import simpleray.render.RenderRequest;
+import simpleray.ui.desktop.Preferences;
+import simpleray.ui.desktop.PreferencesFile;
+import simpleray.ui.file.SceneSource;
+import simpleray.ui.widget.Look;
 
 /** Opens the window. */
 public final class Viewer {

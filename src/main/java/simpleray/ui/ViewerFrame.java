@@ -13,6 +13,23 @@ import javax.swing.JSplitPane;
 import javax.swing.SwingUtilities;
 import javax.swing.Timer;
 import simpleray.render.RenderRequest;
+import simpleray.ui.compare.Comparison;
+import simpleray.ui.desktop.DesktopActions;
+import simpleray.ui.desktop.PictureDialogs;
+import simpleray.ui.desktop.Preferences;
+import simpleray.ui.editor.DiagnosticsPane;
+import simpleray.ui.editor.EditorContext;
+import simpleray.ui.editor.SceneDocument;
+import simpleray.ui.editor.SceneMenu;
+import simpleray.ui.file.SceneSource;
+import simpleray.ui.file.SceneWatcher;
+import simpleray.ui.inspect.Inspector;
+import simpleray.ui.picture.CameraMenu;
+import simpleray.ui.picture.RenderJob;
+import simpleray.ui.picture.SimpleRay;
+import simpleray.ui.picture.ZoomTool;
+import simpleray.ui.widget.Banner;
+import simpleray.ui.widget.Look;
 
 /** The window: menus, the picture, problems of the scene if there are any, and a status bar. For the event thread, but for await. */
 final class ViewerFrame extends JFrame implements EditorContext {

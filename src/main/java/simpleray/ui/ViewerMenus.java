@@ -8,6 +8,15 @@ import javax.swing.JMenu;
 import javax.swing.JMenuBar;
 import javax.swing.JRadioButtonMenuItem;
 import simpleray.render.Stage;
+import simpleray.ui.compare.Comparison;
+import simpleray.ui.desktop.DesktopActions;
+import simpleray.ui.desktop.PictureDialogs;
+import simpleray.ui.editor.SceneMenu;
+import simpleray.ui.inspect.Inspector;
+import simpleray.ui.picture.CameraMenu;
+import simpleray.ui.picture.SimpleRay;
+import simpleray.ui.picture.ZoomTool;
+import simpleray.ui.widget.KeyBindings;
 
 /** The window's menus and their keys. */
 final class ViewerMenus {

@@ -1,2 +1,2 @@
-/** The window, and the only Swing. Threads hand finished rows over in a queue; what shows them is touched by the event thread alone. */
+/** The window as a whole: its frame with menus and a status bar. The packages below hold its parts, which know it as an interface. */
 package simpleray.ui;

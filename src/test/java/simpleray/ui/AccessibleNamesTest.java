@@ -12,6 +12,9 @@ import javax.swing.JProgressBar;
 import javax.swing.text.JTextComponent;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import simpleray.ui.file.SceneSource;
+import simpleray.ui.picture.RenderJob;
+import simpleray.ui.picture.SimpleRay;
 
 /** What a screen reader is told. */
 class AccessibleNamesTest {

@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.concurrent.CountDownLatch;
 import javax.swing.Timer;
 import org.junit.jupiter.api.Test;
+import simpleray.ui.file.SceneSource;
+import simpleray.ui.picture.RenderJob;
 
 /** The event thread is never blocked. */
 class EventThreadTest {

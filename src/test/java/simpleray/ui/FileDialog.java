@@ -7,11 +7,11 @@ import javax.swing.JTextField;
 import javax.swing.SwingUtilities;
 
 /** A dialog that asks for a file and is open on the screen. */
-final class FileDialog {
+public final class FileDialog {
     private final Screen screen;
     private final JTextField name;
 
-    FileDialog(Screen screen) {
+    public FileDialog(Screen screen) {
         this.screen = screen;
         name = OpenWindow.appears("a dialog that asks for a file", JTextField.class, FileDialog::asksForFile);
         Screen.until("the dialog has the keys", name::isFocusOwner);
@@ -22,25 +22,25 @@ final class FileDialog {
     }
 
     /** {@return the file that the dialog proposes} */
-    String proposal() {
+    public String proposal() {
         return OpenWindow.ask(name::getText);
     }
 
     /** {@return the folder that it shows} */
-    Path folder() {
+    public Path folder() {
         return OpenWindow.ask(() -> (JFileChooser)
             SwingUtilities.getAncestorOfClass(JFileChooser.class, name)).getCurrentDirectory().toPath();
     }
 
     /** Types the path of a file in place of what is there, and Enter. */
-    void enter(Path path) {
+    public void enter(Path path) {
         screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_A);
         screen.type(path.toString());
         Screen.until("the path is typed", () -> name.getText().equals(path.toString()));
         screen.press(KeyEvent.VK_ENTER);
     }
 
-    void untilClosed() {
+    public void untilClosed() {
         Screen.until("the dialog is gone", () -> !name.isShowing());
     }
 }

@@ -16,6 +16,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import simpleray.render.RenderRequest;
 import simpleray.render.Stage;
+import simpleray.ui.file.SceneSource;
+import simpleray.ui.picture.RenderJob;
+import simpleray.ui.widget.Banner;
 
 /** A window whose scene is changed, broken and deleted by other programs. */
 class LiveTest {
@@ -102,7 +105,7 @@ class LiveTest {
     @Test
     void aHalfWrittenFileShowsNoError() {
         int minute = 60_000;
-        OpenWindow.run(() -> window.frame.setPatience(minute));
+        OpenWindow.run(() -> window.viewer().setPatience(minute));
         RenderJob before = window.job();
         TestScenes.write(scene, "");
         Screen.until("half a scene was read", () -> window.job() != before
@@ -121,19 +124,19 @@ class LiveTest {
         Files.delete(scene);
         Screen.until("the banner is there", () -> OpenWindow.seen(Banner.class, b -> b.message("gone") != null) != null);
 
-        assertThat(OpenWindow.ask(() -> window.frame.banner().message("gone")))
+        assertThat(OpenWindow.ask(() -> window.banner().message("gone")))
             .isEqualTo("room.scene was deleted; the picture is the last one read");
         assertThat(window.problems()).isNull();
         window.untilShown("the picture", good);
         TestScenes.plain(scene, 0, 0, 1);
         window.untilShown("the new picture", TestScenes.rendered(scene, SIDE, SIDE));
-        Screen.until("the banner is gone", () -> window.frame.banner().message("gone") == null);
+        Screen.until("the banner is gone", () -> window.banner().message("gone") == null);
     }
 
     @Test
     void anotherSceneIsWatchedOnceItIsOpened() {
         Path other = TestScenes.plain(folder.resolve("other.scene"), 1, 0, 0);
-        OpenWindow.run(() -> window.frame.open(SceneSource.file(other)));
+        OpenWindow.run(() -> window.open(SceneSource.file(other)));
         window.untilShown("the other", TestScenes.rendered(other, SIDE, SIDE));
         TestScenes.plain(scene, 0, 0, 0);
         TestScenes.plain(other, 0, 1, 1);

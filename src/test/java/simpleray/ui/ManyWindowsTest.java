@@ -9,6 +9,8 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import simpleray.Sample;
+import simpleray.ui.file.SceneSource;
+import simpleray.ui.picture.RenderJob;
 
 /** Windows come and go, and leave nothing behind. */
 class ManyWindowsTest {

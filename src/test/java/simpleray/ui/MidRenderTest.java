@@ -12,6 +12,7 @@ import javax.imageio.ImageIO;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import simpleray.ui.picture.RenderJob;
 
 /** The window while the upper half of a picture is finished and of the lower half the last pass is held at a gate. */
 class MidRenderTest {

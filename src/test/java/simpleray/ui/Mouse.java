@@ -12,14 +12,14 @@ import java.awt.event.MouseEvent;
 import java.util.function.Predicate;
 
 /** The mouse over a component, and keys that are held meanwhile. It waits until the program has what it did. */
-final class Mouse {
+public final class Mouse {
     /** The toolkit tells of no drag that is shorter. */
     private static final int SMUDGE = 4;
 
     private final Component component;
     private final Robot robot;
 
-    Mouse(Component component) {
+    public Mouse(Component component) {
         this.component = component;
         try {
             robot = new Robot();
@@ -29,14 +29,14 @@ final class Mouse {
     }
 
     /** Moves to a point of the component, until it is there. */
-    void move(Point to) {
+    public void move(Point to) {
         Point corner = OpenWindow.ask(component::getLocationOnScreen);
         robot.mouseMove(corner.x + to.x, corner.y + to.y);
         Screen.until("the mouse is there", () -> to.equals(component.getMousePosition()));
     }
 
     /** Drags from one point to another with a button, in one movement. */
-    void drag(int button, Point from, Point to) {
+    public void drag(int button, Point from, Point to) {
         move(from);
         heard(MouseEvent.MOUSE_PRESSED, e -> true, () -> robot.mousePress(button));
         try {
@@ -54,12 +54,12 @@ final class Mouse {
     }
 
     /** Turns the wheel by a notch; up is negative. */
-    void wheel(int notch) {
+    public void wheel(int notch) {
         heard(MouseEvent.MOUSE_WHEEL, e -> true, () -> robot.mouseWheel(notch));
     }
 
     /** Does something while a key is held. */
-    void holding(int key, Runnable task) {
+    public void holding(int key, Runnable task) {
         heard(KeyEvent.KEY_PRESSED, e -> ((KeyEvent) e).getKeyCode() == key, () -> robot.keyPress(key));
         task.run();
         heard(KeyEvent.KEY_RELEASED, e -> ((KeyEvent) e).getKeyCode() == key, () -> robot.keyRelease(key));

@@ -18,6 +18,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import simpleray.Project;
 import simpleray.cli.Main;
+import simpleray.ui.file.SceneSource;
 
 /** What the package of the program holds, beside the program. */
 class PackageTest {

@@ -8,6 +8,9 @@ import java.awt.Robot;
 import java.awt.image.BufferedImage;
 import java.awt.image.MultiResolutionImage;
 import java.util.List;
+import simpleray.ui.file.SceneSource;
+import simpleray.ui.picture.RenderJob;
+import simpleray.ui.picture.Zoom;
 
 /** A program that opens the window on a desktop of the scale in {@code sun.java2d.uiScale}, which no running program can change. */
 final class ScaledDesktop {

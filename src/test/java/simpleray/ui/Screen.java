@@ -28,17 +28,17 @@ import javax.swing.SwingUtilities;
 import javax.swing.Timer;
 
 /** The screen as a user has it: keys, the mouse, and what can be seen. It waits for what is to happen, never for a time to pass. */
-final class Screen {
+public final class Screen {
     /** What is around a picture, and where a picture has no rows yet. */
-    static final int SURROUND = 0x3C3F41;
+    public static final int SURROUND = 0x3C3F41;
     /** How long anything may take. */
-    static final int SECONDS = 30;
+    public static final int SECONDS = 30;
     private static final int LOOK = 5;                        // milliseconds between two looks
     private static final int NUDGE = 200;                     // looks after which a dialog that is not under the mouse is moved
 
     private final Robot robot;
 
-    Screen() {
+    public Screen() {
         try {
             robot = new Robot();
         } catch (AWTException e) {
@@ -47,7 +47,7 @@ final class Screen {
     }
 
     /** Waits until something is true, which is asked on the event thread. */
-    static void until(String what, BooleanSupplier condition) {
+    public static void until(String what, BooleanSupplier condition) {
         CountDownLatch known = new CountDownLatch(1);
         AtomicReference<Throwable> fault = new AtomicReference<>();
         Timer look = new Timer(LOOK, e -> {
@@ -72,7 +72,7 @@ final class Screen {
     }
 
     /** Presses keys together, the last one briefly, and waits until the program has done what it does upon that. */
-    void press(int... keys) {
+    public void press(int... keys) {
         int last = keys[keys.length - 1];
         CountDownLatch arrived = new CountDownLatch(1);
         AWTEventListener listener = e -> {
@@ -93,7 +93,7 @@ final class Screen {
     }
 
     /** Types text as on a keyboard of the USA. */
-    void type(String text) {
+    public void type(String text) {
         for (char c : text.toCharArray()) {
             boolean shift = Character.isUpperCase(c) || c == '_';
             int key = c == '_' ? KeyEvent.VK_MINUS : KeyEvent.getExtendedKeyCodeForChar(c);
@@ -109,7 +109,7 @@ final class Screen {
     }
 
     /** Clicks into the middle of what can be seen of a component; again if it was elsewhere by then, as one is that was just added. */
-    void click(JComponent component) {
+    public void click(JComponent component) {
         click(component, () -> {
             Rectangle seen = component.getVisibleRect();
             return new Point((int) seen.getCenterX(), (int) seen.getCenterY());
@@ -117,7 +117,7 @@ final class Screen {
     }
 
     /** Clicks at a place of a component, which is asked for on the event thread; again if that was elsewhere by then. */
-    void click(JComponent component, Supplier<Point> at) {
+    public void click(JComponent component, Supplier<Point> at) {
         AtomicReference<Component> hit = new AtomicReference<>();
         AWTEventListener listener = e -> {
             if (e.getID() == MouseEvent.MOUSE_RELEASED) {
@@ -151,22 +151,22 @@ final class Screen {
         OpenWindow.run(() -> { });
     }
 
-    BufferedImage capture(Rectangle place) {
+    public BufferedImage capture(Rectangle place) {
         return robot.createScreenCapture(place);
     }
 
-    BufferedImage capture() {
+    public BufferedImage capture() {
         return capture(new Rectangle(Toolkit.getDefaultToolkit().getScreenSize()));
     }
 
     /** {@return what can be seen of a rectangle of a component} */
-    BufferedImage capture(Component component, Rectangle part) {
+    public BufferedImage capture(Component component, Rectangle part) {
         Point corner = component.getLocationOnScreen();
         return capture(new Rectangle(corner.x + part.x, corner.y + part.y, part.width, part.height));
     }
 
     /** {@return whether rows of a picture, at 100 %, are in a capture; the picture's corner is at x, y} */
-    static boolean shows(BufferedImage capture, int x, int y, BufferedImage picture, int from, int to) {
+    public static boolean shows(BufferedImage capture, int x, int y, BufferedImage picture, int from, int to) {
         for (int row = from; row < to; row++) {
             for (int column = 0; column < picture.getWidth(); column++) {
                 if (capture.getRGB(x + column, y + row) != picture.getRGB(column, row)) {

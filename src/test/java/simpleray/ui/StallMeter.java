@@ -10,7 +10,7 @@ import java.lang.management.ThreadMXBean;
  * Measures how long the event thread is held by each event. The time it worked says what the program did; the time that went by also holds
  * what other threads and programs took from it.
  */
-final class StallMeter implements AutoCloseable {
+public final class StallMeter implements AutoCloseable {
     private final ThreadMXBean threads = ManagementFactory.getThreadMXBean();
     private final Meter meter = new Meter();
     private long longest;                                     // nanoseconds; the event thread's own, as all of these
@@ -20,7 +20,7 @@ final class StallMeter implements AutoCloseable {
     private AWTEvent worst;
 
     /** How long an event may hold the event thread, in nanoseconds. */
-    static final long MAX = 16_000_000;
+    public static final long MAX = 16_000_000;
 
     private final class Meter extends EventQueue {
         @Override
@@ -45,12 +45,12 @@ final class StallMeter implements AutoCloseable {
     }
 
     /** Begins to measure. */
-    StallMeter() {
+    public StallMeter() {
         OpenWindow.run(() -> Toolkit.getDefaultToolkit().getSystemEventQueue().push(meter));
     }
 
     /** Forgets what was measured so far. */
-    void reset() {
+    public void reset() {
         OpenWindow.run(() -> {
             longest = 0;
             longestWork = 0;
@@ -60,16 +60,16 @@ final class StallMeter implements AutoCloseable {
     }
 
     /** {@return for how many events the event thread worked longer than it may} */
-    int stalls() {
+    public int stalls() {
         return OpenWindow.ask(() -> stalls);
     }
 
-    int events() {
+    public int events() {
         return OpenWindow.ask(() -> events);
     }
 
     /** {@return the most milliseconds that the event thread worked for an event} */
-    double mostWork() {
+    public double mostWork() {
         return OpenWindow.ask(() -> longestWork / 1e6);
     }
 

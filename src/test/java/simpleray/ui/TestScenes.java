@@ -20,22 +20,23 @@ import simpleray.render.Stage;
 import simpleray.scene.Scene;
 import simpleray.scene.SceneFile;
 import simpleray.scene.SimpleCamera;
+import simpleray.ui.file.SceneSource;
 
 /** Scenes for windows, and their pictures made without one. */
-final class TestScenes {
-    static final Path THESIS = Path.of(System.getProperty("simpleray.scenes"), "thesis.scene");
-    static final Path MIRRORS = Path.of(System.getProperty("simpleray.scenes"), "facing-mirrors.scene");
+public final class TestScenes {
+    public static final Path THESIS = Path.of(System.getProperty("simpleray.scenes"), "thesis.scene");
+    public static final Path MIRRORS = Path.of(System.getProperty("simpleray.scenes"), "facing-mirrors.scene");
 
     private TestScenes() {
     }
 
     /** {@return what the screen should show: the levels of the picture that rendering without a window makes} */
-    static BufferedImage rendered(Path scene, int width, int height, Stage stage) {
+    public static BufferedImage rendered(Path scene, int width, int height, Stage stage) {
         return rendered(scene, read -> new Renderer(read, new SimpleCamera(width, height), new RenderSettings().with(stage)));
     }
 
     /** {@return what the screen should show in the end of a request} */
-    static BufferedImage rendered(Path scene, RenderRequest request) {
+    public static BufferedImage rendered(Path scene, RenderRequest request) {
         return rendered(scene, request::renderer);
     }
 
@@ -48,7 +49,7 @@ final class TestScenes {
     }
 
     /** {@return the levels of a picture} */
-    static BufferedImage shown(Picture picture) {
+    public static BufferedImage shown(Picture picture) {
         BufferedImage image = new BufferedImage(picture.width(), picture.height(), BufferedImage.TYPE_INT_RGB);
         for (int y = 0; y < picture.height(); y++) {
             byte[] levels = picture.levels(y);
@@ -60,20 +61,20 @@ final class TestScenes {
     }
 
     /** {@return whether two pictures of one size have the same pixels} */
-    static boolean sameAs(BufferedImage one, BufferedImage other) {
+    public static boolean sameAs(BufferedImage one, BufferedImage other) {
         return Screen.shows(one, 0, 0, other, 0, other.getHeight());
     }
 
-    static BufferedImage rendered(Path scene, int width, int height) {
+    public static BufferedImage rendered(Path scene, int width, int height) {
         return rendered(scene, width, height, Stage.FINAL);
     }
 
     /** Writes a scene that is one colour all over. */
-    static Path plain(Path file, double red, double green, double blue) {
+    public static Path plain(Path file, double red, double green, double blue) {
         return write(file, String.format(Locale.ROOT, "1%n1  0 0 1 -1  %s %s %s  0 0 0  0 0 0  0%n1 1 1%n0%n", red, green, blue));
     }
 
-    static Path write(Path file, String text) {
+    public static Path write(Path file, String text) {
         try {
             return Files.write(file, text.getBytes(StandardCharsets.UTF_8));
         } catch (IOException e) {
@@ -82,7 +83,7 @@ final class TestScenes {
     }
 
     /** {@return the scene with something that is told of every ray} Its picture is the same. */
-    static SceneSource watched(Path scene, Consumer<Ray> task) {
+    public static SceneSource watched(Path scene, Consumer<Ray> task) {
         return new SceneSource() {
             @Override
             public String name() {
@@ -102,7 +103,7 @@ final class TestScenes {
     }
 
     /** {@return the thesis's scene, after something was done on the thread that reads it} */
-    static SceneSource read(Runnable before) {
+    public static SceneSource read(Runnable before) {
         return new SceneSource() {
             @Override
             public String name() {
@@ -118,7 +119,7 @@ final class TestScenes {
     }
 
     /** {@return the scene, each ray of which takes its time: a picture of 200 by 200 takes many seconds} */
-    static SceneSource slow(Path scene) {
+    public static SceneSource slow(Path scene) {
         return watched(scene, ray -> {
             long begin = System.nanoTime();
             while (System.nanoTime() - begin < 200_000) {
@@ -128,18 +129,18 @@ final class TestScenes {
     }
 
     /** Holds rays from the eye until it is opened: so mid-render is a state that stays. */
-    static final class Gate implements Consumer<Ray> {
+    public static final class Gate implements Consumer<Ray> {
         private final CountDownLatch open = new CountDownLatch(1);
         private final double below;
         private final int side;                               // of the picture; 0 to hold all its rays
 
         /** Holds rays whose direction has a y below this: 0 for the lower half of the picture. */
-        Gate(double below) {
+        public Gate(double below) {
             this(below, 0);
         }
 
         /** Holds of these rays only those of a square picture's last pass: coarse blocks of 2 by 2 pixels come through. */
-        Gate(double below, int side) {
+        public Gate(double below, int side) {
             this.below = below;
             this.side = side;
         }
@@ -162,7 +163,7 @@ final class TestScenes {
             return ((int) ((across + 1) / 2 * side) | (int) ((down + 1) / 2 * side)) % 2 != 0;
         }
 
-        void open() {
+        public void open() {
             open.countDown();
         }
     }

@@ -12,6 +12,8 @@ import javax.imageio.ImageIO;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import simpleray.ui.file.SceneSource;
+import simpleray.ui.picture.RenderJob;
 
 /** Closing the window. */
 class ViewerFrameClosingTest {
@@ -120,7 +122,7 @@ class ViewerFrameClosingTest {
     /** {@return a window whose picture is begun and takes long} */
     private static OpenWindow openRendering() {
         OpenWindow window = new OpenWindow(TestScenes.slow(TestScenes.THESIS), SIDE, SIDE);
-        Screen.until("it renders", () -> isRendering(window.frame));
+        Screen.until("it renders", () -> isRendering(window.viewer()));
         return window;
     }
 

@@ -10,6 +10,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import simpleray.render.Stage;
+import simpleray.ui.file.SceneSource;
+import simpleray.ui.picture.RenderJob;
 
 /** The keys, pressed on a keyboard. */
 class ViewerMenusKeysTest {

@@ -11,6 +11,8 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import simpleray.render.Stage;
+import simpleray.ui.file.SceneSource;
+import simpleray.ui.picture.RenderJob;
 
 /** The menus, with the mouse. */
 class ViewerMenusTest {

@@ -16,11 +16,15 @@ import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicInteger;
 import javax.imageio.ImageIO;
+import javax.swing.JPanel;
 import javax.swing.JSplitPane;
 import javax.swing.JTable;
 import javax.swing.JTree;
 import javax.swing.SwingUtilities;
 import org.fife.ui.rsyntaxtextarea.RSyntaxTextArea;
+import simpleray.ui.file.SceneSource;
+import simpleray.ui.picture.RenderJob;
+import simpleray.ui.widget.Look;
 
 /** Makes the captures of docs/window.md: a program, run by hand where there is a display of 1280 x 1024 that nobody else uses. */
 final class WindowCaptures {
@@ -46,10 +50,10 @@ final class WindowCaptures {
     }
 
     private static OpenWindow open(SceneSource source, boolean dark, int width, int height) {
-        OpenWindow window = new OpenWindow(source, WIDTH, HEIGHT, frame -> frame.setSize(width, height));
+        OpenWindow window = new OpenWindow(source, WIDTH, HEIGHT, made -> made.frame().setSize(width, height));
         OpenWindow.run(() -> {
             Look.install(dark);
-            window.frame.lookChanged();
+            window.viewer().lookChanged();
         });
         return window;
     }
@@ -109,17 +113,17 @@ final class WindowCaptures {
             window.screen.press(KeyEvent.VK_3);
             untilLatest(window, "final");
             window.screen.press(KeyEvent.VK_W);
-            OpenWindow.appears("the wipe", ComparePane.class, p -> true);
+            OpenWindow.appears("the wipe", JPanel.class, p -> "compare".equals(p.getName()));
             OpenWindow.run(() -> window.frame.setSize(760, 440));
             capture(window, "wipe");
             window.screen.press(KeyEvent.VK_W);
-            OpenWindow.run(() -> window.frame.open(SceneSource.file(TestScenes.THESIS.resolveSibling("refraction.scene"))));
+            OpenWindow.run(() -> window.open(SceneSource.file(TestScenes.THESIS.resolveSibling("refraction.scene"))));
             Screen.until("a brighter scene", () -> window.picture().job().source().name().contains("refraction")
                 && window.picture().job().state() == RenderJob.State.FINISHED && !window.picture().isBusy());
             window.screen.press(KeyEvent.VK_X);
             window.screen.press(KeyEvent.VK_H);
             window.screen.press(KeyEvent.VK_L);
-            OpenWindow.appears("the histogram", HistogramPane.class, p -> true);
+            OpenWindow.appears("the histogram", JPanel.class, p -> "histogram".equals(p.getName()));
             OpenWindow.run(() -> window.frame.setSize(920, 440));
             capture(window, "histogram");
             window.screen.press(KeyEvent.VK_X);
@@ -146,14 +150,14 @@ final class WindowCaptures {
             OpenWindow.appears("the text", RSyntaxTextArea.class, a -> a.isEnabled() && a.getText().equals(text));
             Files.writeString(scene, text.replaceFirst("0\\.\\d+", "0.5x"));
             Screen.until("the error is told", () -> window.problems() != null && window.problems().getText().contains("0.5x")
-                && !window.frame.document().marked().isEmpty());
+                && !window.document().marked().isEmpty());
             capture(window, "error");
         }
     }
 
     private static void untilLatest(OpenWindow window, String stage) {
         Screen.until("the picture of " + stage + " is kept", () -> {
-            List<FinishedRender> kept = window.frame.comparison().pictures();
+            List<?> kept = window.comparison().pictures();
             return !window.picture().isBusy() && !kept.isEmpty() && kept.get(kept.size() - 1).toString().contains(", " + stage + ",");
         });
     }

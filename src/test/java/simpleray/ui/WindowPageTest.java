@@ -11,6 +11,8 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 import simpleray.Project;
+import simpleray.ui.desktop.Shortcuts;
+import simpleray.ui.file.SceneSource;
 
 /** docs/window.md, beside the window itself. */
 class WindowPageTest {

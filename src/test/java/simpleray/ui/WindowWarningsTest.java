@@ -6,6 +6,8 @@ import java.nio.file.Path;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import simpleray.ui.file.SceneSource;
+import simpleray.ui.picture.RenderJob;
 
 /** What is odd about a picture is told below it. */
 class WindowWarningsTest {

@@ -1,0 +1,242 @@
+package simpleray.ui.compare;
+
+import java.awt.BorderLayout;
+import java.awt.event.KeyEvent;
+import java.awt.image.BufferedImage;
+import java.time.LocalTime;
+import java.time.ZoneId;
+import java.util.List;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.TimeUnit;
+import javax.swing.Action;
+import javax.swing.JCheckBoxMenuItem;
+import javax.swing.JMenu;
+import javax.swing.JScrollPane;
+import javax.swing.SwingUtilities;
+import simpleray.image.Picture;
+import simpleray.render.RenderRequest;
+import simpleray.ui.file.SceneSource;
+import simpleray.ui.picture.SimpleRay;
+import simpleray.ui.picture.ViewerContext;
+import simpleray.ui.widget.KeyBindings;
+import simpleray.ui.widget.Lazy;
+
+/** Looks at finished pictures: compares the last ones, marks clipped pixels, counts the light. For the event thread. */
+public final class Comparison {
+    private final ViewerContext window;
+    private final History history = new History();
+    private final Lazy<ComparePane> pane = new Lazy<>(this::newPane);
+    private final Lazy<HistogramPane> counted = new Lazy<>(this::newHistogram);
+    private final JMenu menu = new JMenu("Compare");
+    private final JCheckBoxMenuItem beside = item("Side by Side", "B", this::changeMode);
+    private final JCheckBoxMenuItem wipe = item("Wipe", "W", this::changeMode);
+    private final JCheckBoxMenuItem marks = item("Mark Clipped Pixels", "X", this::mark);
+    private final JCheckBoxMenuItem histogram = item("Histogram", "H", this::showHistogram);
+    private final JCheckBoxMenuItem logarithmic = item("Logarithmic Counts", "L", this::countByLogarithm);
+    private volatile ExecutorService looker;                           // null until there is a picture to look at
+    private JScrollPane place;                                // where the picture is when it is not compared
+    private boolean closed;
+    private Picture seen;
+    private FinishedRender latest;                            // what was found in it; null until it is
+
+    /**
+     * Creates a comparison of nothing yet.
+     *
+     * @param window the window
+     */
+    public Comparison(ViewerContext window) {
+        this.window = window;
+        menu.setMnemonic(KeyEvent.VK_P);
+        menu.add(beside);
+        menu.add(wipe);
+        allow();
+    }
+
+    private JCheckBoxMenuItem item(String name, String key, Runnable task) {
+        Action action = KeyBindings.action(name, key, task);
+        return new JCheckBoxMenuItem(action);
+    }
+
+    private ComparePane newPane() {
+        ComparePane made = new ComparePane(this::look);
+        made.setMarked(marks.isSelected());
+        return made;
+    }
+
+    private HistogramPane newHistogram() {
+        HistogramPane made = new HistogramPane();
+        made.setLogarithmic(logarithmic.isSelected());
+        made.show(latest == null ? null : latest.histogram());
+        return made;
+    }
+
+    /** {@return the menu} */
+    public JMenu menu() {
+        return menu;
+    }
+
+    /**
+     * Adds the items that show more of one picture.
+     *
+     * @param view the View menu
+     */
+    public void addTo(JMenu view) {
+        view.addSeparator();
+        view.add(marks);
+        view.add(histogram);
+        view.add(logarithmic);
+    }
+
+    /** Looks at the picture if it is another than before. */
+    public void refresh() {
+        SimpleRay shown = window.picture();
+        Picture whole = shown.whole();
+        if (whole == seen || closed) {
+            return;
+        }
+        seen = whole;
+        latest = null;
+        shown.setMarks(null);
+        if (whole != null && FinishedRender.canKeep(whole)) {
+            look(whole, shown.source(), shown.job().request(), shown.job().snapshot().seconds());
+        }
+    }
+
+    /** Does something on the thread that looks, unless the window is closed. */
+    private void look(Runnable task) {
+        if (closed) {
+            return;
+        }
+        if (looker == null) {
+            looker = Executors.newSingleThreadExecutor(work -> {
+                Thread thread = new Thread(work, "simpleray-looking");
+                thread.setDaemon(true);
+                return thread;
+            });
+        }
+        looker.execute(task);
+    }
+
+    private void look(Picture picture, SceneSource source, RenderRequest request, double seconds) {
+        LocalTime now = LocalTime.now(ZoneId.systemDefault());
+        look(() -> {
+            try {
+                FinishedRender found = new FinishedRender(picture, source, request, seconds, now);
+                SwingUtilities.invokeLater(() -> take(picture, found));
+            } catch (OutOfMemoryError e) {                    // then this one is not compared
+                SwingUtilities.invokeLater(() -> window.say("The memory is too short to keep the picture for comparing"));
+            }
+        });
+    }
+
+    private void take(Picture picture, FinishedRender found) {
+        history.add(found);
+        if (picture == seen) {
+            latest = found;
+            counted.ifMade(counts -> counts.show(found.histogram()));
+            if (marks.isSelected()) {                         // if not, a message may stand there that is to be read
+                mark();
+            }
+        }
+        if (isComparing()) {
+            pane.get().list(history.pictures());
+        }
+        allow();
+    }
+
+    private void allow() {
+        boolean two = isComparing() || history.pictures().size() > 1;
+        beside.setEnabled(two);
+        wipe.setEnabled(two);
+    }
+
+    private boolean isComparing() {
+        return beside.isSelected() || wipe.isSelected();
+    }
+
+    /** One mode ends the other, and a second press of its key ends it. */
+    private void changeMode() {
+        ComparePane compared = pane.get();
+        boolean wiped = wipe.isSelected() && !(beside.isSelected() && compared.view().isWiped());
+        if (beside.isSelected() && wipe.isSelected()) {       // the other was on until now
+            beside.setSelected(!wiped);
+            wipe.setSelected(wiped);
+        }
+        compared.view().setWiped(wipe.isSelected());
+        if (isComparing() && place == null) {
+            place = (JScrollPane) SwingUtilities.getAncestorOfClass(JScrollPane.class, window.picture());
+            SwingUtilities.updateComponentTreeUI(compared);       // the look may be another since
+            compared.list(history.pictures());
+            place.setViewportView(compared);
+            compared.view().requestFocusInWindow();
+        } else if (!isComparing() && place != null) {
+            place.setViewportView(window.picture());
+            place = null;
+            compared.list(List.of());                         // or it would hold two that the machine may want back
+            window.picture().requestFocusInWindow();
+        }
+        allow();
+    }
+
+    private void mark() {
+        boolean marked = marks.isSelected();
+        pane.ifMade(compared -> compared.setMarked(marked));
+        FinishedRender found = marked && !closed ? latest : null;
+        if (found == null) {
+            window.picture().setMarks(null);
+            window.showProgress();                             // in place of what was counted
+        } else {
+            look(() -> {
+                BufferedImage made = found.marks();
+                SwingUtilities.invokeLater(() -> {
+                    if (found == latest && marks.isSelected()) {
+                        window.picture().setMarks(made);
+                    }
+                });
+            });
+            Histogram light = found.histogram();
+            window.say(light.clippedAbove() + " pixels above 1 (magenta), " + light.clippedBelow() + " below 0 (cyan), of "
+                + light.pixels());
+        }
+    }
+
+    private void showHistogram() {
+        if (histogram.isSelected()) {
+            SwingUtilities.updateComponentTreeUI(counted.get());
+            window.frame().add(counted.get(), BorderLayout.EAST);
+        } else {
+            window.frame().remove(counted.get());
+        }
+        window.frame().validate();
+        window.frame().repaint();
+    }
+
+    private void countByLogarithm() {
+        counted.ifMade(counts -> counts.setLogarithmic(logarithmic.isSelected()));
+    }
+
+    /** {@return the pictures that can be compared, the latest last} */
+    public List<FinishedRender> pictures() {
+        return history.pictures();
+    }
+
+    /** Ends the looking. */
+    public void close() {
+        closed = true;
+        if (looker != null) {
+            looker.shutdownNow();
+        }
+    }
+
+    /**
+     * Waits until nothing is looked at; not for the event thread.
+     *
+     * @throws InterruptedException if the thread is interrupted
+     */
+    public void await() throws InterruptedException {
+        if (looker != null) {
+            looker.awaitTermination(Long.MAX_VALUE, TimeUnit.NANOSECONDS);
+        }
+    }
+}

@@ -1,0 +1,113 @@
+package simpleray.ui.compare;
+
+import java.awt.image.BufferedImage;
+import java.io.File;
+import java.lang.ref.SoftReference;
+import java.nio.file.Path;
+import java.time.LocalTime;
+import java.time.format.DateTimeFormatter;
+import java.util.List;
+import simpleray.image.Picture;
+import simpleray.render.Progress;
+import simpleray.render.RenderRequest;
+import simpleray.ui.file.SceneSource;
+import simpleray.ui.picture.CommandWords;
+
+/**
+ * A picture that was finished, what was asked for, and when. <em>Constant</em>, but that the machine takes the pixels back when the memory
+ * is short.
+ */
+final class FinishedRender {
+    private static final DateTimeFormatter CLOCK = DateTimeFormatter.ofPattern("HH:mm:ss");
+    private static final int LEVEL = 0xFF;
+
+    private final SceneSource source;
+    private final RenderRequest request;
+    private final int width;
+    private final int height;
+    private final String label;
+    private final Histogram histogram = new Histogram();
+    private final SoftReference<int[]> pixels;
+    private SoftReference<BufferedImage> marks = new SoftReference<>(null);
+
+    /** Looks at every pixel of a picture, all rows of which are set; not for the event thread. */
+    FinishedRender(Picture picture, SceneSource source, RenderRequest request, double seconds, LocalTime time) {
+        this.source = source;
+        this.request = request;
+        width = picture.width();
+        height = picture.height();
+        label = CLOCK.format(time) + "  " + new File(source.name()).getName() + ", " + request.stage() + ", " + width + " \u00D7 " + height
+            + ", " + Progress.time(seconds);
+        pixels = new SoftReference<>(packed(picture));
+    }
+
+    private int[] packed(Picture picture) {
+        int[] packed = new int[Math.multiplyExact(width, height)];
+        for (int y = 0; y < height; y++) {
+            double[] light = picture.row(y);
+            byte[] levels = picture.levels(y);
+            for (int x = 0; x < width; x++) {
+                int i = 3 * x;
+                histogram.add(light[i], light[i + 1], light[i + 2]);
+                packed[y * width + x] = Clipped.flags(light[i], light[i + 1], light[i + 2])
+                    | (levels[i] & LEVEL) << 16 | (levels[i + 1] & LEVEL) << 8 | levels[i + 2] & LEVEL;
+            }
+        }
+        return packed;
+    }
+
+    /** {@return whether a picture is small enough to be kept} */
+    static boolean canKeep(Picture picture) {
+        return (long) picture.width() * picture.height() <= Integer.MAX_VALUE / 2;
+    }
+
+    /** {@return its pixels, packed, with the flags of {@link Clipped}; null if they are gone} */
+    int[] pixels() {
+        return pixels.get();
+    }
+
+    /** {@return the marks of its clipped pixels, to be painted over it; null if the pixels are gone} Not for the event thread at first. */
+    synchronized BufferedImage marks() {
+        BufferedImage made = marks.get();
+        int[] packed = pixels();
+        if (made == null && packed != null) {
+            made = Clipped.marks(packed, width, height);
+            marks = new SoftReference<>(made);
+        }
+        return made;
+    }
+
+    /** Lets go of the pixels, as the machine does when the memory is short. */
+    void drop() {
+        pixels.clear();
+    }
+
+    /** {@return the memory of the pixels} */
+    long bytes() {
+        return (long) Integer.BYTES * width * height;
+    }
+
+    int width() {
+        return width;
+    }
+
+    int height() {
+        return height;
+    }
+
+    Histogram histogram() {
+        return histogram;
+    }
+
+    /** {@return what was asked for, as the command line has it} */
+    String options() {
+        List<String> words = CommandWords.render(Path.of(""), "", request);
+        return source.name() + " " + String.join(" ", words.subList(4, words.size()));
+    }
+
+    /** {@return when it was finished, of what, and how} */
+    @Override
+    public String toString() {
+        return label;
+    }
+}

@@ -1,0 +1,38 @@
+package simpleray.ui.desktop;
+
+import java.awt.event.KeyEvent;
+import javax.swing.JMenu;
+import javax.swing.JOptionPane;
+import simpleray.ui.picture.ViewerContext;
+import simpleray.ui.widget.KeyBindings;
+
+/** Help: all keys, and which program this is. */
+final class HelpMenu {
+    private final ViewerContext window;
+    private final JMenu menu = new JMenu("Help");
+
+    HelpMenu(ViewerContext window) {
+        this.window = window;
+        menu.setMnemonic(KeyEvent.VK_H);
+        menu.add(KeyBindings.action("Shortcuts", "typed ?", () -> new ShortcutsDialog(window.frame()).setVisible(true)));
+        menu.add(KeyBindings.action("About SimpleRay", "F1", this::about));
+    }
+
+    JMenu menu() {
+        return menu;
+    }
+
+    private void about() {
+        JOptionPane.showMessageDialog(window.frame(), aboutText(), "About SimpleRay", JOptionPane.INFORMATION_MESSAGE, ProgramIcon.large());
+    }
+
+    /** {@return which program this is, and on what it runs} */
+    static String aboutText() {
+        String version = HelpMenu.class.getPackage().getImplementationVersion();
+        return "SimpleRay " + (version == null ? "(not packaged)" : version)
+            + "\nA ray tracer after the thesis \u201CRay Tracing Using Java\u201D (2014)\n\n"
+            + "Java " + System.getProperty("java.version") + ", " + System.getProperty("java.vm.name") + "\n"
+            + System.getProperty("os.name") + " " + System.getProperty("os.version") + ", " + System.getProperty("os.arch") + "\n\n"
+            + "Licence: Apache-2.0";
+    }
+}

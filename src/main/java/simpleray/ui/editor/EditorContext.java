@@ -1,0 +1,37 @@
+package simpleray.ui.editor;
+
+import javax.swing.JComponent;
+import simpleray.ui.file.SceneSource;
+import simpleray.ui.picture.ViewerContext;
+import simpleray.ui.widget.Banner;
+
+/** The window, as the scene's text knows it. For the event thread. */
+public interface EditorContext extends ViewerContext {
+    /** {@return the notices at the top of the window} */
+    Banner banner();
+
+    /**
+     * Shows something beside the picture.
+     *
+     * @param component the component; null for nothing
+     */
+    void showBeside(JComponent component);
+
+    /**
+     * Renders the scene as it was found on the disk. If it has errors, they are shown only if it does not change again at once.
+     *
+     * @param source the scene
+     */
+    void reload(SceneSource source);
+
+    /** Shows the scene's name in the title, and whether its text has changes that are not saved. */
+    void refreshTitle();
+
+    /**
+     * Notes that a text was saved after it was rendered.
+     *
+     * @param text the text
+     * @param file the file that it is in now
+     */
+    void saved(SceneSource text, SceneSource file);
+}

@@ -1,0 +1,112 @@
+package simpleray.ui.editor;
+
+import java.io.IOException;
+import java.nio.charset.CharacterCodingException;
+import java.nio.file.FileSystemException;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
+import javax.swing.SwingUtilities;
+import simpleray.io.AtomicFile;
+import simpleray.ui.file.SceneSource;
+
+/** Reads and writes a scene's text on a thread of its own, one after another, and answers on the event thread. */
+final class SceneDisk {
+    /** The largest file that is edited; beyond, typing would be slow. */
+    static final long MAX = 8L << 20;
+    private static final double MEBI = 1 << 20;
+
+    private final ExecutorService worker = Executors.newSingleThreadExecutor(task -> new Thread(task, "simpleray-editing"));
+
+    /**
+     * What came of reading or writing. <em>Constant.</em>
+     *
+     * @param bytes what the file holds now; null if there is no file or it was not read
+     * @param failure why it could not be read or written; null if it was
+     * @param other whether nothing was written, because the file holds something else than was expected
+     */
+    record Answer(byte[] bytes, String failure, boolean other) {
+    }
+
+    /** Reads a scene's text. A file that is not there is no failure. */
+    void read(SceneSource source, Consumer<Answer> then) {
+        worker.execute(() -> {
+            Answer answer;
+            try {
+                Path path = source.path();
+                long size = path == null || !Files.exists(path) ? 0 : Files.size(path);
+                answer = size <= MAX ? new Answer(source.text(), null, false)
+                    : new Answer(null,
+                    String.format("%s is too large to be edited here: %.0f MiB", path.getFileName(), size / MEBI), false);
+            } catch (NoSuchFileException e) {
+                answer = new Answer(null, null, false);
+            } catch (IOException e) {
+                answer = new Answer(null, "The text cannot be read: " + reason(e), false);
+            }
+            tell(then, answer);
+        });
+    }
+
+    /**
+     * Writes a text, if the file holds what it held before or is gone, or whatever it holds.
+     *
+     * @param path the file
+     * @param whatever whether it may hold anything
+     * @param before what it held; null if there was none
+     * @param maker makes the bytes
+     * @param wrote called on the thread that writes, at once when the file is written
+     * @param then told what came of it
+     */
+    void write(Path path, boolean whatever, byte[] before, Maker maker, Runnable wrote, Consumer<Answer> then) {
+        worker.execute(() -> {
+            Answer answer;
+            try {
+                byte[] bytes = maker.make();
+                byte[] now = !whatever && Files.isRegularFile(path) ? Files.readAllBytes(path) : null;
+                if (now != null && !Arrays.equals(now, before) && !Arrays.equals(now, bytes)) {
+                    answer = new Answer(now, null, true);
+                } else {
+                    try (AtomicFile file = new AtomicFile(path)) {
+                        file.out().write(bytes);
+                        file.commit();
+                    }
+                    wrote.run();
+                    answer = new Answer(bytes, null, false);
+                }
+            } catch (CharacterCodingException e) {
+                answer = new Answer(null, "it is not UTF-8 but ISO 8859-1, which has no such characters as were typed", false);
+            } catch (IOException e) {
+                answer = new Answer(null, reason(e), false);
+            }
+            tell(then, answer);
+        });
+    }
+
+    /** Makes a file's bytes. */
+    interface Maker {
+        byte[] make() throws IOException;
+    }
+
+    private static String reason(IOException e) {
+        return e instanceof FileSystemException f && f.getReason() != null ? f.getReason() : e.toString();
+    }
+
+    private static void tell(Consumer<Answer> then, Answer answer) {
+        SwingUtilities.invokeLater(() -> then.accept(answer));
+    }
+
+    /** Takes no more; what was begun is done. */
+    void close() {
+        worker.shutdown();
+    }
+
+    /** Waits until all is written; not for the event thread. */
+    void await() throws InterruptedException {
+        worker.awaitTermination(Long.MAX_VALUE, TimeUnit.NANOSECONDS);
+    }
+}

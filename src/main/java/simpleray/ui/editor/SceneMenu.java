@@ -1,0 +1,60 @@
+package simpleray.ui.editor;
+
+import java.awt.event.KeyEvent;
+import java.util.List;
+import javax.swing.Action;
+import javax.swing.JCheckBoxMenuItem;
+import javax.swing.JMenu;
+import simpleray.ui.widget.KeyBindings;
+
+/** What can be done with the scene's text, and with its problems. */
+public final class SceneMenu {
+    private final JMenu menu = new JMenu("Scene");
+    private final JCheckBoxMenuItem text;
+    private final SceneDocument document;
+    private final List<Action> all;
+
+    /**
+     * Creates the menu.
+     *
+     * @param document the scene's text
+     * @param problems the problems
+     */
+    public SceneMenu(SceneDocument document, DiagnosticsPane problems) {
+        this.document = document;
+        menu.setMnemonic(KeyEvent.VK_N);
+        text = new JCheckBoxMenuItem(KeyBindings.action("Scene Text", "control E", document::toggle));
+        Action render = KeyBindings.action("Render Text", "control ENTER", document::render);
+        Action save = KeyBindings.action("Save Scene", "control shift S", document::save);
+        Action find = KeyBindings.action("Find in Text\u2026", "control F", document::find);
+        Action next = KeyBindings.action("Next Problem", "F4", () -> problems.step(1));
+        Action previous = KeyBindings.action("Previous Problem", "shift F4", () -> problems.step(-1));
+        menu.add(render);
+        menu.add(save);
+        menu.addSeparator();
+        menu.add(find);
+        menu.add(next);
+        menu.add(previous);
+        all = List.of(text.getAction(), render, save, find, next, previous);
+    }
+
+    /** {@return the menu} */
+    public JMenu menu() {
+        return menu;
+    }
+
+    /** {@return the item that shows and hides the text} */
+    public JCheckBoxMenuItem text() {
+        return text;
+    }
+
+    /**
+     * Enables what can be done now, and ticks what is shown.
+     *
+     * @param opened whether there is a scene
+     */
+    public void refresh(boolean opened) {
+        all.forEach(action -> action.setEnabled(opened));
+        text.setSelected(document.isShown());
+    }
+}

@@ -1,0 +1,2 @@
+/** The scene's text, and its problems. */
+package simpleray.ui.editor;

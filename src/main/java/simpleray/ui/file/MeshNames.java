@@ -1,0 +1,90 @@
+package simpleray.ui.file;
+
+import java.io.ByteArrayOutputStream;
+import java.io.File;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.LinkedHashSet;
+import java.util.Set;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/** Finds the files that a scene's text names between double quotes, whether the text has errors or not. */
+public final class MeshNames {
+    private static final int MAX = 1000;
+    private static final int LONGEST = 4096;
+    private static final Pattern QUOTED = Pattern.compile("\"([^\"\n]*)\"");
+    private static final int PIECE = 1 << 16;
+
+    private final Path scene;
+    private final Set<Path> found = new LinkedHashSet<>();
+    private ByteArrayOutputStream name;                       // null outside of quotes
+    private boolean comment;
+
+    private MeshNames(Path scene) {
+        this.scene = scene;
+    }
+
+    /** {@return the files beside a scene file that it names; none if it cannot be read} */
+    static Set<Path> of(Path scene) {
+        MeshNames names = new MeshNames(scene);
+        try (InputStream in = Files.newInputStream(scene)) {
+            byte[] piece = new byte[PIECE];
+            for (int length = in.read(piece); length >= 0 && names.found.size() < MAX; length = in.read(piece)) {
+                for (int i = 0; i < length; i++) {
+                    names.take(piece[i]);
+                }
+            }
+            return names.found;
+        } catch (IOException e) {
+            return Set.of();
+        }
+    }
+
+    /**
+     * {@return where a text of a scene names a file, between double quotes; negative if it does not}
+     *
+     * @param file the path of the mesh file
+     * @param text the text
+     * @param scene the scene's file
+     */
+    public static int placeOf(String file, String text, Path scene) {
+        Matcher names = QUOTED.matcher(text);
+        while (names.find()) {
+            if (new File(scene.toFile().getParentFile(), names.group(1)).getPath().equals(file)) {
+                return names.start();
+            }
+        }
+        return -1;
+    }
+
+    private void take(byte b) {
+        if (b == '\n' || b == '\r') {
+            name = null;
+            comment = false;
+        } else if (name != null && b == '"') {
+            add(name.toString(StandardCharsets.UTF_8));
+            name = null;
+        } else if (name != null && name.size() < LONGEST) {
+            name.write(b);
+        } else if (b == '#') {
+            comment = true;
+        } else if (b == '"' && !comment) {
+            name = new ByteArrayOutputStream();
+        }
+    }
+
+    private void add(String name) {
+        try {
+            if (!name.isEmpty()) {
+                found.add(scene.resolveSibling(name));
+            }
+        } catch (InvalidPathException e) {
+            return;                                           // no file can have that name: nothing to watch
+        }
+    }
+}

@@ -1,0 +1,383 @@
+package simpleray.ui.inspect;
+
+import java.awt.Color;
+import java.awt.Component;
+import java.awt.Dimension;
+import java.awt.Graphics2D;
+import java.awt.Point;
+import java.awt.Rectangle;
+import java.awt.datatransfer.StringSelection;
+import java.awt.event.InputEvent;
+import java.awt.event.KeyEvent;
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
+import java.util.concurrent.CancellationException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
+import javax.swing.JMenu;
+import javax.swing.JSplitPane;
+import javax.swing.SwingUtilities;
+import javax.swing.tree.DefaultMutableTreeNode;
+import simpleray.render.Explainer;
+import simpleray.render.PixelStory;
+import simpleray.render.Progress;
+import simpleray.render.StoryText;
+import simpleray.scene.RayTree;
+import simpleray.ui.picture.RenderJob;
+import simpleray.ui.picture.SimpleRay;
+import simpleray.ui.widget.KeyBindings;
+import simpleray.ui.widget.Lazy;
+
+/**
+ * Tells about single pixels: in the status bar of the one under the mouse, in a pane of the one that was clicked or that the pixel cursor
+ * is on. What is to be traced for that is traced on a thread of its own. All methods are for the event thread, but for await.
+ */
+public final class Inspector {
+    /** Room for as many reflections within reflections as rendering has. */
+    private static final long STACK = 8L << 20;
+    private static final int DIVIDER = 6;
+    /** How far the frame of the pixel cursor is from its pixel. */
+    private static final int FRAME = 4;
+    private static final int OTHER_KEYS = InputEvent.CTRL_DOWN_MASK | InputEvent.SHIFT_DOWN_MASK | InputEvent.ALT_DOWN_MASK
+        | InputEvent.META_DOWN_MASK;
+
+    private final SimpleRay picture;
+    private final Consumer<String> hoverLine;
+    private final Consumer<String> status;
+    private final Lazy<StoryPane> pane = new Lazy<>(() -> new StoryPane(this::copy, this::closeStory));
+    private final JSplitPane beside = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT);
+    private final ExecutorService teller = Executors.newSingleThreadExecutor(task -> {
+        Thread thread = new Thread(null, task, "simpleray-inspector", STACK);
+        thread.setDaemon(true);
+        return thread;
+    });
+
+    private Boolean untold;                                   // a story was asked for: whether to have the keys; null once it is there
+    private RenderJob shown;                                  // the one whose rows are on the screen
+    private boolean ended;                                    // it had, when it was last looked at
+    private Point hovered;
+    private boolean asking;                                   // an answer about a pixel under the mouse is to come
+    private Point cursor;
+    private Future<?> telling;
+    private PixelStory story;                                 // in the pane
+    private RenderJob explained;                              // whose explainer that is; both for the teller's thread alone
+    private Explainer explainer;
+
+    /**
+     * Creates an inspector.
+     *
+     * @param picture the picture
+     * @param hoverLine gets a line about the pixel under the mouse; a blank if there is none
+     * @param status gets short messages
+     */
+    public Inspector(SimpleRay picture, Consumer<String> hoverLine, Consumer<String> status) {
+        this.picture = picture;
+        this.hoverLine = hoverLine;
+        this.status = status;
+        MouseAdapter mouse = new MouseAdapter() {
+            @Override
+            public void mouseMoved(MouseEvent e) {
+                hover(picture.pixelAt(e.getPoint()));
+            }
+
+            @Override
+            public void mouseExited(MouseEvent e) {
+                hover(null);
+            }
+
+            @Override
+            public void mouseClicked(MouseEvent e) {
+                Point pixel = picture.pixelAt(e.getPoint());
+                if (pixel != null && e.getButton() == MouseEvent.BUTTON1 && (e.getModifiersEx() & OTHER_KEYS) == 0) {
+                    picture.requestFocusInWindow();
+                    setCursor(pixel);
+                    tell(false);
+                }
+            }
+        };
+        picture.addMouseListener(mouse);
+        picture.addMouseMotionListener(mouse);
+        picture.setMark(this::paintCursor);
+    }
+
+    /** {@return a menu about single pixels} */
+    public JMenu menu() {
+        JMenu menu = new JMenu("Inspect");
+        menu.setMnemonic(KeyEvent.VK_I);
+        menu.add(KeyBindings.action("Story of the Pixel", "I", this::openStory));
+        menu.add(KeyBindings.action("Copy Story", "control shift I", this::copy));
+        menu.add(KeyBindings.action("Close Story", "shift I", this::closeStory));
+        menu.addSeparator();
+        menu.add(KeyBindings.action("Pixel Cursor Left", "alt LEFT", () -> move(-1, 0)));
+        menu.add(KeyBindings.action("Pixel Cursor Right", "alt RIGHT", () -> move(1, 0)));
+        menu.add(KeyBindings.action("Pixel Cursor Up", "alt UP", () -> move(0, -1)));
+        menu.add(KeyBindings.action("Pixel Cursor Down", "alt DOWN", () -> move(0, 1)));
+        return menu;
+    }
+
+    /**
+     * {@return a component that shows another, and beside it the story while there is one}
+     *
+     * @param other the other component
+     */
+    public Component beside(Component other) {
+        beside.setLeftComponent(other);
+        beside.setRightComponent(null);
+        beside.setResizeWeight(1);
+        beside.setBorder(null);
+        beside.setDividerSize(0);
+        return beside;
+    }
+
+    /**
+     * Takes notice of a rendering: from its first row on, it is the one that is shown.
+     *
+     * @param job the rendering
+     */
+    public void update(RenderJob job) {
+        Progress progress = job.snapshot().progress();
+        boolean over = job.state().ended();
+        if (job == shown && over != ended) {
+            ended = over;
+            if (hovered != null) {
+                hover(hovered);                               // its colour was not known, or not the last one
+            }
+        }
+        if (job == shown || progress == null || progress.finished() == 0) {
+            return;
+        }
+        shown = job;
+        ended = over;
+        if (hovered != null) {
+            hover(hovered);
+        }
+        if (cursor != null) {
+            setCursor(cursor);                                // the picture may have become smaller
+            if (isOpen() || untold != null) {
+                tell(untold != null && untold);
+            }
+        }
+    }
+
+    /** Moves the pixel cursor. It begins under the mouse, or in the middle. */
+    private void move(int dx, int dy) {
+        if (shown != null) {
+            Point from = start();
+            setCursor(cursor == null ? from : new Point(from.x + dx, from.y + dy));
+            Rectangle place = place(cursor);
+            place.grow(FRAME, FRAME);
+            picture.scrollRectToVisible(place);
+            if (isOpen()) {
+                tell(false);
+            }
+            tellLine(cursor);
+        }
+    }
+
+    /** Opens the story of the pixel that the pixel cursor is on, for the keyboard. */
+    private void openStory() {
+        if (shown != null) {
+            setCursor(start());
+            tell(true);
+        }
+    }
+
+    /** Closes the story, and takes the pixel cursor away. */
+    private void closeStory() {
+        cancelTelling();
+        story = null;
+        cursor = null;
+        beside.setRightComponent(null);
+        beside.setDividerSize(0);
+        picture.repaint();
+        picture.requestFocusInWindow();
+    }
+
+    /** Puts the story on the clipboard, as text. */
+    private void copy() {
+        PixelStory told = story;
+        if (told != null) {
+            teller.execute(() -> {
+                String text = StoryText.of(told);
+                SwingUtilities.invokeLater(() -> {
+                    try {
+                        picture.getToolkit().getSystemClipboard().setContents(new StringSelection(text), null);
+                        status.accept("Copied the story of pixel " + told.x() + ", " + told.y());
+                    } catch (IllegalStateException e) {
+                        status.accept("The clipboard is in use by another program");
+                    }
+                });
+            });
+        }
+    }
+
+    /** Ends what is being told, and the thread. */
+    public void close() {
+        teller.shutdownNow();
+    }
+
+    /**
+     * Waits until the thread has ended; not for the event thread.
+     *
+     * @throws InterruptedException if the thread is interrupted
+     */
+    public void await() throws InterruptedException {
+        teller.awaitTermination(Long.MAX_VALUE, TimeUnit.NANOSECONDS);
+    }
+
+    private boolean isOpen() {
+        return beside.getRightComponent() != null;
+    }
+
+    private Point start() {
+        Dimension size = picture.imageSize();
+        return cursor != null ? cursor : hovered != null ? hovered : new Point(size.width / 2, size.height / 2);
+    }
+
+    private void setCursor(Point pixel) {
+        Dimension size = picture.imageSize();
+        if (cursor != null) {
+            repaint(cursor);
+        }
+        cursor = new Point(Math.max(0, Math.min(size.width - 1, pixel.x)), Math.max(0, Math.min(size.height - 1, pixel.y)));
+        repaint(cursor);
+    }
+
+    private void repaint(Point pixel) {
+        Rectangle place = place(pixel);
+        place.grow(FRAME + 2, FRAME + 2);
+        picture.repaint(place);
+    }
+
+    /** {@return where a pixel is in the component} */
+    private Rectangle place(Point pixel) {
+        Rectangle all = picture.place();
+        Dimension size = picture.imageSize();
+        int left = (int) ((long) pixel.x * all.width / size.width);
+        int top = (int) ((long) pixel.y * all.height / size.height);
+        int right = (int) ((pixel.x + 1L) * all.width / size.width);
+        int bottom = (int) ((pixel.y + 1L) * all.height / size.height);
+        return new Rectangle(all.x + left, all.y + top, Math.max(1, right - left), Math.max(1, bottom - top));
+    }
+
+    private void paintCursor(Graphics2D canvas) {
+        if (cursor != null) {
+            Rectangle frame = place(cursor);
+            frame.grow(FRAME - 1, FRAME - 1);
+            canvas.setColor(Color.WHITE);
+            canvas.drawRect(frame.x, frame.y, frame.width - 1, frame.height - 1);
+            frame.grow(1, 1);
+            canvas.setColor(Color.BLACK);
+            canvas.drawRect(frame.x, frame.y, frame.width - 1, frame.height - 1);
+        }
+    }
+
+    private void hover(Point pixel) {
+        hovered = pixel;
+        if (pixel == null || shown == null) {
+            hoverLine.accept(" ");
+        } else {
+            tellLine(pixel);
+        }
+    }
+
+    /** Tells colours at once, and which object it is as soon as that is known. */
+    @SuppressWarnings("FutureReturnValueIgnored")             // the task itself catches all
+    private void tellLine(Point pixel) {
+        String colours = PixelLine.colours(shown.snapshot().picture(), pixel);
+        hoverLine.accept(colours == null ? " " : colours);
+        if (colours == null || asking) {                      // the answer that is to come asks again if the mouse has moved
+            return;
+        }
+        asking = true;
+        RenderJob job = shown;
+        submit(() -> {
+            try {
+                RayTree.Thing thing = explainer(job).objectAt(pixel.x, pixel.y);
+                SwingUtilities.invokeLater(() -> answer(pixel, job, thing));
+            } catch (RuntimeException | Error e) {            // the line stays without the object
+                SwingUtilities.invokeLater(() -> asking = false);
+            }
+        });
+    }
+
+    private void answer(Point pixel, RenderJob job, RayTree.Thing thing) {
+        asking = false;
+        Point wanted = hovered != null ? hovered : cursor;
+        if (job != shown || !pixel.equals(wanted)) {
+            if (wanted != null) {
+                tellLine(wanted);
+            }
+        } else {
+            String colours = PixelLine.colours(shown.snapshot().picture(), pixel);
+            hoverLine.accept(colours == null ? " " : colours + "   " + (thing == null ? "background" : StoryText.object(thing)));
+        }
+    }
+
+    /** Tells the story of the pixel that the cursor is on. */
+    private void tell(boolean focus) {
+        if (shown == null) {
+            return;
+        }
+        cancelTelling();
+        untold = focus;
+        RenderJob job = shown;
+        Point pixel = cursor;
+        telling = submit(() -> {
+            PixelStory told;
+            DefaultMutableTreeNode root;
+            try {
+                told = explainer(job).story(pixel.x, pixel.y);
+                root = StoryPane.tree(StoryText.lines(told));
+            } catch (CancellationException e) {
+                return;
+            } catch (RuntimeException | Error e) {
+                SwingUtilities.invokeLater(() -> status.accept("The story of this pixel cannot be told: " + e));
+                return;
+            }
+            SwingUtilities.invokeLater(() -> show(told, root, job, focus));
+        });
+    }
+
+    private void show(PixelStory told, DefaultMutableTreeNode root, RenderJob job, boolean focus) {
+        if (cursor == null || job != shown || told.x() != cursor.x || told.y() != cursor.y) {
+            return;                                           // closed or moved on
+        }
+        story = told;
+        untold = null;
+        if (!isOpen()) {
+            SwingUtilities.updateComponentTreeUI(pane.get());   // the look may have changed while it was in no window
+            beside.setRightComponent(pane.get());
+            beside.setDividerSize(DIVIDER);
+            beside.setDividerLocation(Math.max(beside.getWidth() / 2, beside.getWidth() - DIVIDER - pane.get().getPreferredSize().width));
+            beside.validate();
+        }
+        pane.get().show("Pixel " + told.x() + ", " + told.y(), root, focus);
+    }
+
+    private void cancelTelling() {
+        untold = null;
+        if (telling != null) {
+            telling.cancel(true);
+        }
+    }
+
+    private Future<?> submit(Runnable task) {
+        return teller.isShutdown() ? null : teller.submit(task);
+    }
+
+    private Explainer explainer(RenderJob job) {
+        if (explained != job) {
+            Explainer made = job.snapshot().explainer();
+            if (made == null) {
+                throw new CancellationException("the next rendering has begun");
+            }
+            explainer = made;
+            explained = job;
+        }
+        return explainer;
+    }
+}

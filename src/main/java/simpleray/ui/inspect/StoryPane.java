@@ -1,0 +1,99 @@
+package simpleray.ui.inspect;
+
+import java.awt.BorderLayout;
+import java.awt.Dimension;
+import java.util.ArrayList;
+import java.util.List;
+import javax.swing.BorderFactory;
+import javax.swing.Box;
+import javax.swing.BoxLayout;
+import javax.swing.JButton;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.JTree;
+import javax.swing.tree.DefaultMutableTreeNode;
+import javax.swing.tree.DefaultTreeCellRenderer;
+import javax.swing.tree.DefaultTreeModel;
+import javax.swing.tree.TreePath;
+import javax.swing.tree.TreeSelectionModel;
+import simpleray.render.StoryText;
+
+/** The story of a pixel as a tree: each line below the one it belongs to, to be opened where one wants to know more. */
+final class StoryPane extends JPanel {
+    private static final long serialVersionUID = 1L;
+    private static final int WIDTH = 400;
+    /** Lines above this level are open at first: down to what is hit and what each light adds. */
+    private static final int OPEN = 3;
+
+    private final JLabel title = new JLabel(" ");
+    private final JTree tree = new JTree(new DefaultTreeModel(new DefaultMutableTreeNode("")));
+
+    StoryPane(Runnable copy, Runnable close) {
+        super(new BorderLayout());
+        title.setName("story title");
+        tree.setName("story");
+        tree.getAccessibleContext().setAccessibleName("Story of the pixel");
+        tree.getSelectionModel().setSelectionMode(TreeSelectionModel.DISCONTIGUOUS_TREE_SELECTION);
+        DefaultTreeCellRenderer plain = new DefaultTreeCellRenderer();
+        plain.setLeafIcon(null);
+        plain.setOpenIcon(null);
+        plain.setClosedIcon(null);
+        tree.setCellRenderer(plain);
+        JPanel head = new JPanel();
+        head.setLayout(new BoxLayout(head, BoxLayout.X_AXIS));
+        head.setBorder(BorderFactory.createEmptyBorder(4, 8, 4, 8));
+        head.add(title);
+        head.add(Box.createHorizontalGlue());
+        head.add(button("Copy", "Copy Story (Ctrl+Shift+C)", copy));
+        head.add(Box.createHorizontalStrut(6));
+        head.add(button("Close", "Close Story (Shift+I)", close));
+        JScrollPane scroll = new JScrollPane(tree);
+        scroll.setPreferredSize(new Dimension(WIDTH, WIDTH));
+        add(head, BorderLayout.NORTH);
+        add(scroll, BorderLayout.CENTER);
+        setMinimumSize(new Dimension(WIDTH / 3, 0));
+    }
+
+    private static JButton button(String text, String tip, Runnable task) {
+        JButton button = new JButton(text);
+        button.setToolTipText(tip);
+        button.getAccessibleContext().setAccessibleName(tip.substring(0, tip.indexOf(" (")));
+        button.addActionListener(e -> task.run());
+        return button;
+    }
+
+    /** {@return a tree of lines} Any thread may call; long stories take their time. */
+    static DefaultMutableTreeNode tree(List<StoryText.Line> lines) {
+        List<DefaultMutableTreeNode> last = new ArrayList<>();   // on each level
+        for (StoryText.Line line : lines) {
+            DefaultMutableTreeNode node = new DefaultMutableTreeNode(line.text());
+            if (line.level() > 0) {
+                last.get(line.level() - 1).add(node);
+            }
+            last.subList(line.level(), last.size()).clear();
+            last.add(node);
+        }
+        return last.get(0);
+    }
+
+    /** Shows a story, and takes the keys if it is to be read by them. */
+    void show(String name, DefaultMutableTreeNode root, boolean focus) {
+        title.setText(name);
+        tree.setModel(new DefaultTreeModel(root));
+        open(root);
+        tree.setSelectionRow(0);
+        if (focus) {
+            tree.requestFocusInWindow();
+        }
+    }
+
+    /** Opens the upper levels; of several samples none, or the pane would be full of the first one. */
+    private void open(DefaultMutableTreeNode node) {
+        boolean several = node.isRoot() && node.getChildCount() > 1;
+        tree.expandPath(new TreePath(node.getPath()));
+        for (int i = 0; !several && i < node.getChildCount() && node.getLevel() + 1 < OPEN; i++) {
+            open((DefaultMutableTreeNode) node.getChildAt(i));
+        }
+    }
+}

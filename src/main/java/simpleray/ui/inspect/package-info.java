@@ -1,0 +1,2 @@
+/** Single pixels: their colours and their stories. */
+package simpleray.ui.inspect;

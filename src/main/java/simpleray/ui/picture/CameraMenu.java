@@ -1,0 +1,205 @@
+package simpleray.ui.picture;
+
+import java.awt.Toolkit;
+import java.awt.datatransfer.StringSelection;
+import java.awt.event.KeyEvent;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.FileSystemException;
+import java.nio.file.Path;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+import javax.swing.Action;
+import javax.swing.JComponent;
+import javax.swing.JMenu;
+import javax.swing.JOptionPane;
+import javax.swing.SwingUtilities;
+import simpleray.scene.FreeView;
+import simpleray.scene.SceneSettings;
+import simpleray.scene.ViewLines;
+import simpleray.text.SceneFormatException;
+import simpleray.ui.file.FileSource;
+import simpleray.ui.file.SceneSource;
+import simpleray.ui.widget.KeyBindings;
+
+/** The Camera menu: what the mouse does in steps, back to the scene's own camera, and taking the camera along. */
+public final class CameraMenu {
+    private static final double STEP = 5;                     // degrees
+    private static final double PIECE = 0.05;                 // of the picture's height
+    private static final String TITLE = "The view was not saved";
+
+    private final ViewerContext window;
+    private final Supplier<String> text;
+    private final Consumer<String> replacement;
+    private final SimpleRay picture;
+    private final CameraTool tool;
+    private final JMenu menu = new JMenu("Camera");
+    private final ExecutorService writer = Executors.newSingleThreadExecutor(task -> new Thread(task, "simpleray-view"));
+
+    /**
+     * Creates the menu.
+     *
+     * @param window the window
+     * @param text supplies the scene's text as it is edited; null if it is not
+     * @param replacement takes the text with another view in it
+     */
+    public CameraMenu(ViewerContext window, Supplier<String> text, Consumer<String> replacement) {
+        this.window = window;
+        this.text = text;
+        this.replacement = replacement;
+        picture = window.picture();
+        tool = new CameraTool(picture);
+        menu.setMnemonic(KeyEvent.VK_C);
+        add("Orbit Left", "LEFT", () -> tool.turn(-STEP, 0));
+        add("Orbit Right", "RIGHT", () -> tool.turn(STEP, 0));
+        add("Orbit Up", "UP", () -> tool.turn(0, STEP));
+        add("Orbit Down", "DOWN", () -> tool.turn(0, -STEP));
+        menu.addSeparator();
+        add("Pan Left", "shift LEFT", () -> tool.pan(-PIECE, 0));
+        add("Pan Right", "shift RIGHT", () -> tool.pan(PIECE, 0));
+        add("Pan Up", "shift UP", () -> tool.pan(0, PIECE));
+        add("Pan Down", "shift DOWN", () -> tool.pan(0, -PIECE));
+        menu.addSeparator();
+        add("Nearer", "PAGE_UP", () -> tool.dolly(1));
+        add("Farther", "PAGE_DOWN", () -> tool.dolly(-1));
+        add("Back to the Scene's Camera", "HOME", tool::reset);
+        menu.addSeparator();
+        add("Copy Camera", "control shift C", this::copy);
+        add("Save View in Scene", "control shift V", this::save);
+    }
+
+    /** {@return the menu} */
+    public JMenu menu() {
+        return menu;
+    }
+
+    /** Lets go of the moves: another scene comes. */
+    public void forget() {
+        tool.forget();
+    }
+
+    /** Saves no more views; one that is being saved still is. */
+    public void close() {
+        writer.shutdown();
+    }
+
+    /**
+     * Waits until all views are saved; not for the event thread.
+     *
+     * @throws InterruptedException if the thread is interrupted
+     */
+    public void await() throws InterruptedException {
+        writer.awaitTermination(Long.MAX_VALUE, TimeUnit.NANOSECONDS);
+    }
+
+    /** Adds an item. Its key also works where the pane round the picture would take it for scrolling. */
+    private void add(String name, String key, Runnable task) {
+        Action action = KeyBindings.action(name, key, task);
+        KeyBindings.bind(picture, JComponent.WHEN_FOCUSED, key, action);
+        menu.add(action);
+    }
+
+    /** Puts the lines that a scene file would have on the clipboard: a camera, or what no free camera shows. */
+    private void copy() {
+        SceneSettings view = tool.view();
+        if (view == null) {
+            window.say("There is no camera to copy: no scene was read");
+            return;
+        }
+        if (FreeView.isExact(view)) {
+            SceneSettings free = new SceneSettings();
+            free.camera = FreeView.of(view);
+            view = free;
+        }
+        String lines = ViewLines.of(view);
+        Toolkit.getDefaultToolkit().getSystemClipboard().setContents(new StringSelection(lines), null);
+        window.say("Copied: " + lines.strip().replace("\n", "; "));
+    }
+
+    private void save() {
+        SceneSettings view = tool.view();
+        if (view == null) {
+            window.say("There is no view to save: no scene was read");
+        } else if (text.get() != null && tool.isOther()) {
+            putIntoText(picture.source(), text.get(), view);
+        } else if (!(picture.source() instanceof FileSource file)) {
+            tell("The scene came by standard input: there is no file to write to");
+        } else if (!tool.isOther()) {
+            window.say("The scene has this view already");
+        } else {
+            writer.execute(() -> {
+                String failure = failure(file, view);
+                if (failure == null) {
+                    window.wroteScene();                       // else it would be read twice
+                }
+                SwingUtilities.invokeLater(() -> saved(file, view, failure));
+            });
+        }
+    }
+
+    /** Writes the view into the text beside the picture, in which something may be typed that the file does not have. */
+    private void putIntoText(SceneSource source, String edited, SceneSettings view) {
+        Path path = source.path() == null ? Path.of(source.name().replaceAll("[<>]", "")) : source.path();
+        writer.execute(() -> {
+            String put = null;
+            String failure = null;
+            try {
+                put = new String(ViewLines.put(edited.getBytes(StandardCharsets.UTF_8), path, view, source.reach()),
+                    StandardCharsets.UTF_8);
+            } catch (SceneFormatException e) {
+                failure = "The text is not readable as a scene: " + e.getMessage().lines().findFirst().orElse("");
+            } catch (IOException | RuntimeException | OutOfMemoryError e) {
+                failure = e.toString();
+            }
+            String made = put;
+            String why = failure;
+            SwingUtilities.invokeLater(() -> {
+                if (!window.frame().isDisplayable()) {                 // closed meanwhile
+                    return;
+                }
+                if (why != null) {
+                    tell(source.name() + '\n' + why);
+                } else if (picture.source() == source && edited.equals(text.get())) {
+                    tool.release();
+                    replacement.accept(made);
+                } else {
+                    window.say("The text was changed meanwhile: try again");
+                }
+            });
+        });
+    }
+
+    private void saved(FileSource file, SceneSettings view, String failure) {
+        if (failure != null) {
+            tell(file.name() + '\n' + failure);
+            return;
+        }
+        if (!window.frame().isDisplayable()) {                         // closed meanwhile: nothing is to be rendered any more
+            return;
+        }
+        SceneSettings now = picture.source() == file ? tool.view() : null;
+        if (now != null && ViewLines.of(now).equals(ViewLines.of(view))) {
+            tool.adopt();                                     // unless it was moved on meanwhile
+        }
+        window.say("Saved the view in " + file.name());
+    }
+
+    private void tell(String reason) {
+        JOptionPane.showMessageDialog(window.frame(), reason, TITLE, JOptionPane.ERROR_MESSAGE);
+    }
+
+    /** {@return why the view could not be saved, a line; null if it was} */
+    private static String failure(FileSource file, SceneSettings view) {
+        try {
+            file.save(view);
+            return null;
+        } catch (FileSystemException e) {
+            return e.getReason() != null ? e.getReason() : e.toString();
+        } catch (IOException | RuntimeException | OutOfMemoryError e) {
+            return e.toString();
+        }
+    }
+}

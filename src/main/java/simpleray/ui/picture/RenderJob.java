@@ -1,0 +1,318 @@
+package simpleray.ui.picture;
+
+import java.io.IOException;
+import java.util.concurrent.CancellationException;
+import java.util.concurrent.atomic.AtomicReference;
+import simpleray.image.Picture;
+import simpleray.render.Explainer;
+import simpleray.render.OutOfMemory;
+import simpleray.render.PreparedScene;
+import simpleray.render.Progress;
+import simpleray.render.Provenance;
+import simpleray.render.Region;
+import simpleray.render.RenderRequest;
+import simpleray.render.Renderer;
+import simpleray.scene.Scene;
+import simpleray.scene.SceneFile;
+import simpleray.scene.SceneSettings;
+import simpleray.ui.file.SceneSource;
+
+/**
+ * One rendering for a window, on a thread of its own: reads the scene or takes the one that was read before, renders it, and leaves
+ * finished pixel runs in a queue. The window polls {@link #snapshot}; nothing here waits for it. Any thread may call.
+ */
+public final class RenderJob {
+    private static final long PATIENCE = 1000;                // milliseconds
+
+    private final SceneSource source;
+    private final RenderRequest request;
+    private RenderJob before;                                 // whose scene is rendered again; null if it is to be read
+    private final SceneReport known;                          // to be shown in place of the findings about that scene; none for these
+    private final Region region;                              // what is asked to come first; null for nothing
+    private final boolean alone;
+    private final PixelRunQueue runs = new PixelRunQueue();
+    private final Thread thread;
+
+    private final AtomicReference<Snapshot> latest;
+    private volatile boolean cancelled;
+    private boolean paused;
+
+    /** How far a rendering is. */
+    public enum State {
+        /** The scene is being read. */
+        READING,
+        /** Rows are being rendered. */
+        RENDERING,
+        /** The picture is whole. */
+        FINISHED,
+        /** It was cancelled before it was whole. */
+        CANCELLED,
+        /** The scene could not be read, or the program failed; {@link Snapshot#problems} says how. */
+        FAILED;
+
+        /** {@return whether nothing more comes} */
+        public boolean ended() {
+            return this == FINISHED || this == CANCELLED || this == FAILED;
+        }
+    }
+
+    /** A scene that was read, and what is made of it before its first ray. */
+    private record LoadedScene(SceneFile file, PreparedScene prepared) {
+    }
+
+    /** What renders the scene, since when, and what it was asked for; renderer and image are null once they are let go. */
+    private record Run(Renderer renderer, ProgressiveImage image, Progress progress, SceneSettings settings, Region region, boolean alone,
+                       long begun) {
+    }
+
+    /**
+     * All that is known about a rendering at one moment. <em>Constant.</em>
+     *
+     * @param state how far it is
+     * @param loaded the scene; null until it is read
+     * @param run what renders it; null before rendering has begun
+     * @param findings errors, or warnings once the scene was read
+     * @param failure what was not rendered; empty for nothing
+     * @param took the seconds that rendering took; 0 before it has ended
+     */
+    public record Snapshot(State state, LoadedScene loaded, Run run, SceneReport findings, String failure, double took) {
+        /** {@return whether the scene is there, so that it can be rendered again} */
+        boolean hasScene() {
+            return loaded != null;
+        }
+
+        /** {@return the scene, not to be changed; null until it is read} */
+        Scene scene() {
+            return loaded == null ? null : loaded.file.scene();
+        }
+
+        /** {@return the settings of the picture, from the scene and from what was asked for; null before rendering has begun} */
+        public SceneSettings settings() {
+            return run == null ? null : run.settings;
+        }
+
+        /** {@return errors, or warnings once the scene was read; in the end also what was not rendered; empty for none} */
+        public String problems() {
+            String scene = findings.text();
+            return failure.isEmpty() ? scene : scene.isEmpty() ? failure : failure + "\n" + scene;
+        }
+
+        /** {@return a blank image of the picture's size; null before rendering has begun} */
+        ProgressiveImage image() {
+            return run == null ? null : run.image;
+        }
+
+        /** {@return the picture; rows are set as they are finished; null before rendering has begun} */
+        public Picture picture() {
+            return run == null || run.renderer == null ? null : run.renderer.picture();
+        }
+
+        /** {@return what explains the picture's pixels; null before rendering has begun} It may have to be made: not for the event thread. */
+        public Explainer explainer() {
+            return run == null || run.renderer == null ? null : run.renderer.explainer();
+        }
+
+        /** {@return the progress; null before rendering has begun} */
+        public Progress progress() {
+            return run == null ? null : run.progress;
+        }
+
+        /** {@return the region that comes first, or alone; null for none} */
+        public Region region() {
+            return run == null ? null : run.region;
+        }
+
+        /** {@return whether the region is rendered alone} */
+        public boolean isAlone() {
+            return run != null && run.alone;
+        }
+
+        /** {@return the nanoseconds since rendering began; negative before} */
+        long age(long now) {
+            return run == null ? -1 : now - run.begun;
+        }
+
+        /** {@return how many seconds rendering took so far, or in all, without pauses} */
+        public double seconds() {
+            return run == null || state.ended() ? took : run.progress.elapsed(System.nanoTime());
+        }
+    }
+
+    /** Reads a scene and renders it. */
+    RenderJob(SceneSource source, RenderRequest request, Region region, boolean alone) {
+        this(source, request, null, SceneReport.NONE, region, alone);
+    }
+
+    /**
+     * Renders a scene that another rendering has read, once that has ended.
+     *
+     * @param before the other; it {@linkplain Snapshot#hasScene has its scene}
+     * @param known what is wrong with a scene that was to be read since, and is to be shown all the same; nothing for the other's own
+     */
+    RenderJob(RenderJob before, SceneReport known, RenderRequest request, Region region, boolean alone) {
+        this(before.source, request, before, known, region, alone);
+    }
+
+    private RenderJob(SceneSource source, RenderRequest request, RenderJob before, SceneReport known, Region region, boolean alone) {
+        this.source = source;
+        this.request = request;
+        this.before = before;
+        this.known = known;
+        this.region = region;
+        this.alone = alone;
+        State first = before == null ? State.READING : State.RENDERING;
+        latest = new AtomicReference<>(new Snapshot(first, null, null, SceneReport.NONE, "", 0));
+        thread = new Thread(this::work, "simpleray-rendering");
+        thread.setDaemon(true);
+    }
+
+    /** Sets what is done once the picture is there in coarse blocks, on some thread; before the start. */
+    void whenCoarse(Runnable task) {
+        runs.whenCoarse(task);
+    }
+
+    void start() {
+        thread.start();
+    }
+
+    void cancel() {
+        cancelled = true;
+        Run run = snapshot().run;
+        if (run != null && run.renderer != null) {
+            run.renderer.cancel();
+        }
+    }
+
+    /** Holds the rendering, or lets it go on; its clock stands meanwhile. */
+    synchronized void setPaused(boolean hold) {
+        Snapshot now = snapshot();
+        if (now.state.ended()) {
+            return;
+        }
+        paused = hold;
+        if (now.run != null && now.run.renderer != null) {
+            pause(now.run);
+        }
+    }
+
+    private void pause(Run run) {
+        run.progress.pause(paused, System.nanoTime());
+        run.renderer.setPaused(paused);
+    }
+
+    /** {@return whether it is held} */
+    public synchronized boolean isPaused() {
+        return paused && !state().ended();
+    }
+
+    /**
+     * Waits until all threads of this rendering have ended; not for the event thread while it runs. A rendering that still reads is not
+     * waited for long: nothing stops it, and a pipe may never end.
+     *
+     * @throws InterruptedException if the thread is interrupted
+     */
+    public void await() throws InterruptedException {
+        thread.join(PATIENCE);
+        if (state() != State.READING) {
+            thread.join();
+        }
+    }
+
+    /** {@return what was asked for beside the scene file} */
+    public RenderRequest request() {
+        return request;
+    }
+
+    /** {@return where the scene comes from} */
+    public SceneSource source() {
+        return source;
+    }
+
+    /** {@return the pixel runs that are finished and not yet painted} */
+    public PixelRunQueue runs() {
+        return runs;
+    }
+
+    /** {@return all that is known now} Who asks twice may get two answers: ask once for what belongs together. */
+    public Snapshot snapshot() {
+        return latest.get();
+    }
+
+    /** {@return how far it is now} */
+    public State state() {
+        return snapshot().state;
+    }
+
+    /** Lets go of all but the scene, after it was cancelled. */
+    void forget() {
+        latest.updateAndGet(now -> new Snapshot(now.state, now.loaded, now.run == null ? null : new Run(null, null, now.run.progress,
+            now.run.settings, now.run.region, now.run.alone, now.run.begun), now.findings, now.failure, now.took));
+        runs.clear();
+    }
+
+    private void work() {
+        boolean first = before == null;
+        try {
+            LoadedScene loaded = load();
+            render(loaded);
+            double took = snapshot().seconds();
+            String failure = runs.failedRows().text();
+            SceneReport findings = first && failure.isEmpty() && !cancelled
+                ? SceneReport.ofWhole(loaded.file.with(snapshot().run.settings), source.name()) : snapshot().findings;
+            end(failure.isEmpty() ? State.FINISHED : State.FAILED, findings, failure, took);
+        } catch (CancellationException e) {
+            end(State.CANCELLED, snapshot().findings, "", snapshot().seconds());
+        } catch (IOException e) {
+            end(State.FAILED, SceneReport.of(e, source.name()), "", snapshot().seconds());
+        } catch (RuntimeException | Error e) {
+            end(State.FAILED, snapshot().findings, OutOfMemory.isBehind(e) ? OutOfMemory.MESSAGE
+                : "The program failed, which should not happen whatever the scene: " + e, snapshot().seconds());
+        }
+    }
+
+    private void end(State state, SceneReport findings, String failure, double took) {
+        latest.updateAndGet(now -> new Snapshot(state, now.loaded, now.run, findings, failure, took));
+    }
+
+    /** Reads the scene; or takes that of the rendering before, when that has let go of it. */
+    private LoadedScene load() throws IOException {
+        RenderJob last = before;
+        before = null;                                        // else each would keep all before it
+        if (last == null) {
+            SceneFile file = source.read();
+            LoadedScene loaded = new LoadedScene(file, new PreparedScene(file.scene()));
+            latest.set(new Snapshot(State.READING, loaded, null, SceneReport.of(file.warnings()), "", 0));
+            return loaded;
+        }
+        last.cancel();
+        try {
+            last.thread.join();
+        } catch (InterruptedException e) {
+            throw new CancellationException("interrupted");
+        }
+        Snapshot end = last.snapshot();
+        latest.set(new Snapshot(State.RENDERING, end.loaded, null, known.isEmpty() ? end.findings : known, "", 0));
+        return end.loaded;
+    }
+
+    private void render(LoadedScene scene) {
+        Renderer renderer = scene.prepared.renderer(request);
+        Picture picture = renderer.picture();
+        picture.tell(Provenance.of(request, scene.file));
+        SceneSettings settings = request.applyTo(scene.file.scene()).settings;
+        Region part = region != null && region.isWithin(picture.width(), picture.height()) ? region : null;   // not that of a larger one
+        boolean only = alone && part != null;
+        Progress progress = new Progress(only ? part.height() : picture.height(), System.nanoTime());
+        Run run = new Run(renderer, new ProgressiveImage(picture.width(), picture.height()), progress, settings, part, only,
+            System.nanoTime());
+        synchronized (this) {
+            latest.updateAndGet(now -> new Snapshot(State.RENDERING, scene, run, now.findings, "", 0));
+            pause(run);
+        }
+        if (cancelled) {                                      // cancel() came before there was a renderer to tell
+            throw new CancellationException("cancelled");
+        }
+        runs.count(progress, only ? part.width() : picture.width());
+        renderer.renderPasses(runs, part, only);
+    }
+}

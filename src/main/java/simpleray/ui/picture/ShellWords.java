@@ -1,0 +1,28 @@
+package simpleray.ui.picture;
+
+import java.util.List;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+
+/** Words as a shell must be given them, so that each comes out as it is. */
+final class ShellWords {
+    /** What no shell takes for anything else. */
+    private static final Pattern PLAIN = Pattern.compile("[\\p{L}\\p{N}_./:,+-][\\p{L}\\p{N}_./:,+=-]*");
+    private static final Pattern PLAIN_WINDOWS = Pattern.compile("[\\p{L}\\p{N}_./:\\\\+-]+");
+
+    private ShellWords() {
+    }
+
+    /** {@return the line for the shells of Unix} */
+    static String posix(List<String> words) {
+        return words.stream().map(word -> PLAIN.matcher(word).matches() ? word : '\'' + word.replace("'", "'\\''") + '\'')
+            .collect(Collectors.joining(" "));
+    }
+
+    /** {@return the line for the Command Prompt and PowerShell; a file name there has no quotes} */
+    static String windows(List<String> words) {
+        String line = words.stream().map(word -> PLAIN_WINDOWS.matcher(word).matches() ? word : '"' + word + '"')
+            .collect(Collectors.joining(" "));
+        return line.startsWith("\"") ? "& " + line : line;
+    }
+}

@@ -1,0 +1,332 @@
+package simpleray.ui.picture;
+
+import java.awt.Color;
+import java.awt.Dimension;
+import java.awt.Graphics2D;
+import java.awt.Graphics;
+import java.awt.Rectangle;
+import java.awt.image.BufferedImage;
+import java.util.function.Consumer;
+import javax.swing.SwingUtilities;
+import javax.swing.Timer;
+import simpleray.image.Picture;
+import simpleray.render.Region;
+import simpleray.render.RenderRequest;
+import simpleray.scene.SceneSettings.Resolution;
+import simpleray.scene.Setting;
+import simpleray.ui.file.SceneSource;
+
+/**
+ * The framework for the ray tracing (thesis, chapter 5), a Swing component in place of the applet: it renders on a thread of its own,
+ * and a timer, the thesis's "kicker", repaints what has been finished, so that the user is kept aware of how far it is. All methods
+ * are for the event thread.
+ */
+public final class SimpleRay extends ZoomedComponent implements Runnable {
+    private static final long serialVersionUID = 1L;
+    private static final int KICK = 20;                       // milliseconds between two looks for finished runs
+    private static final long MAX_WORK = 8_000_000;          // nanoseconds that one look may take
+    /** Until the coarse picture is whole it waits so long before it shows a part of it, in nanoseconds: whole it comes without flicker. */
+    private static final long HOLD = 120_000_000;
+    /** What is asked for anew may wait so long for the picture before to be shown, in nanoseconds. */
+    private static final long MAX_WAIT = 250_000_000;
+    private static final Color SURROUND = new Color(0x3C3F41);
+
+    private final transient Timer kicker = new Timer(KICK, e -> run());
+    private transient SceneSource source;
+    private transient RenderRequest request;
+    private transient ProgressiveImage progressive;           // touched by the event thread alone
+    private transient BufferedImage image;                    // the progressive one's
+    private transient RenderJob job;
+    private transient RenderJob read;                         // the last one that has read the scene
+    private transient boolean again;                          // another one is to follow as soon as this one is shown
+    private transient boolean kept;                           // what is shown stays until this one's runs come over it
+    private final transient RegionTool regions = new RegionTool(this);
+    private transient Picture whole;                          // the picture that is shown, once all its rows are
+    private transient boolean shown;                          // a run of this rendering is in the image
+    private transient BufferedImage marks;                    // painted over the picture; null for none
+    private transient Runnable listener = () -> { };
+    private transient Consumer<Graphics2D> mark = canvas -> { };
+
+    /**
+     * Creates the component; {@link #init} and {@link #start} follow.
+     *
+     * @param source the scene, which the applet took from its tag
+     * @param request what is asked for beside the scene file
+     */
+    public SimpleRay(SceneSource source, RenderRequest request) {
+        this.source = source;
+        this.request = request;
+        setName("picture");
+        setOpaque(true);
+        setFocusable(true);
+        init();
+    }
+
+    /** Makes an empty picture, of the size that was asked for until the scene's file says another. */
+    public void init() {
+        Resolution size = Setting.RESOLUTION.in(request.settings());
+        show(new ProgressiveImage(size.width(), size.height()));
+    }
+
+    private void show(ProgressiveImage next) {
+        boolean same = progressive != null && next.isOf(image.getWidth(), image.getHeight());
+        progressive = next;
+        image = next.image();
+        whole = null;
+        if (!same) {
+            resized();
+        }
+        repaint();
+    }
+
+    /** Starts to render anew; what is still being rendered is cancelled. The picture before it stays until there is something to show. */
+    public void start() {
+        begin(new RenderJob(source, request, regions.region(), regions.isAlone()), false);
+    }
+
+    /** Reads the scene again and renders it; does nothing if there is none. */
+    public void reload() {
+        if (source != SceneSource.NONE) {
+            start();
+        }
+    }
+
+    /**
+     * Renders the scene that was last read as is asked for now, by another camera for example. May be called as often as the mouse moves:
+     * while the picture before is not yet seen, it waits for that a short time.
+     */
+    public void restart() {
+        again = true;
+        if (job == null || !kicker.isRunning() && lastRead() == null) {
+            start();
+        } else {
+            restartIfReady();
+        }
+    }
+
+    @SuppressWarnings("ReferenceEquality")                    // the very request, not one like it
+    private void restartIfReady() {
+        RenderJob.Snapshot now = job.snapshot();
+        if (again && (now.state().ended() || now.hasScene() && (shown || now.age(System.nanoTime()) > MAX_WAIT))) {
+            RenderJob last = lastRead();
+            if (last != null) {
+                SceneReport known = last == job ? SceneReport.NONE : now.findings();
+                begin(new RenderJob(last, known, request, regions.region(), regions.isAlone()), shown && request == job.request());
+            }
+            again = false;
+        }
+    }
+
+    /** {@return the last rendering that has read the present source; null if none did} */
+    private RenderJob lastRead() {
+        RenderJob last = job.snapshot().hasScene() ? job : read;
+        return last != null && last.source() == source ? last : null;
+    }
+
+    private void begin(RenderJob next, boolean keep) {
+        stop();
+        if (job != null && job.snapshot().hasScene()) {
+            read = job;
+            read.forget();
+        }
+        shown = false;
+        kept = keep;
+        job = next;
+        next.whenCoarse(() -> SwingUtilities.invokeLater(this));   // at once, not when the kicker comes
+        next.start();
+        kicker.start();
+        listener.run();
+    }
+
+    /** Cancels what is being rendered. Its threads end soon; this does not wait for them. */
+    public void stop() {
+        again = false;
+        if (job != null) {
+            job.cancel();
+        }
+    }
+
+    /**
+     * Holds what is being rendered, or lets it go on.
+     *
+     * @param hold whether to hold it
+     */
+    public void setPaused(boolean hold) {
+        if (job != null) {
+            job.setPaused(hold);
+            listener.run();
+        }
+    }
+
+    /** {@return whether what is being rendered is held} */
+    public boolean isPaused() {
+        return job != null && job.isPaused();
+    }
+
+    /** Called by the "kicker": shows what was finished since, for a short time at most, and tells the listener. */
+    @Override
+    public void run() {
+        RenderJob.Snapshot now = job.snapshot();              // asked first: if it has ended, no run comes after the last one seen
+        boolean ended = now.state().ended();
+        boolean unseen = now.state() == RenderJob.State.CANCELLED && !shown;
+        long time = System.nanoTime();
+        if (!job.runs().isEmpty() && !unseen && (shown || ended || job.runs().isCoarse() || now.age(time) > HOLD)) {
+            showRuns(time + MAX_WORK);
+        }
+        if (ended && (unseen || job.runs().isEmpty())) {
+            kicker.stop();
+            if (now.state() == RenderJob.State.FINISHED && !now.isAlone()) {
+                whole = now.picture();
+            }
+        }
+        listener.run();
+        restartIfReady();
+    }
+
+    private void showRuns(long end) {
+        if (!shown) {                                         // no pixel of the picture before may pass for one of this
+            showFirst();
+        }
+        Rectangle changed = job.runs().paint(progressive, end);
+        if (!changed.isEmpty()) {
+            Rectangle place = place();
+            double scale = place.getWidth() / image.getWidth();
+            int top = place.y + (int) Math.floor(changed.y * scale) - 1;
+            repaint(0, top, getWidth(), (int) Math.ceil(changed.height * scale) + 2);
+        }
+    }
+
+    /** Where nothing but the region is another, the picture that is there already holds what comes. */
+    private void showFirst() {
+        RenderJob.Snapshot now = job.snapshot();              // with an image, since there are runs
+        ProgressiveImage next = now.image();
+        regions.fit(next.image().getWidth(), next.image().getHeight());
+        if (kept && next.isOf(image.getWidth(), image.getHeight())) {
+            progressive.reopen(now.isAlone() ? now.region() : Region.whole(image.getWidth(), image.getHeight()));
+            whole = null;
+        } else {
+            show(next);
+        }
+        shown = true;
+    }
+
+    /**
+     * Paints the screen.
+     *
+     * @param g what to paint with
+     */
+    @Override
+    public void paint(Graphics g) {
+        Graphics2D screen = (Graphics2D) g.create();
+        screen.setColor(SURROUND);
+        screen.fillRect(0, 0, getWidth(), getHeight());
+        Rectangle place = place();
+        if (!place.isEmpty()) {
+            placed().paint(screen, image, ui());
+            if (marks != null) {
+                placed().paint(screen, marks, ui());
+            }
+            regions.paint(screen, place);
+            mark.accept(screen);
+        }
+        screen.dispose();
+    }
+
+    /**
+     * Paints the screen without clearing it first.
+     *
+     * @param g what to paint with
+     */
+    @Override
+    public void update(Graphics g) {
+        paint(g);
+    }
+
+    /**
+     * Sets what is painted over the picture.
+     *
+     * @param other paints it
+     */
+    public void setMark(Consumer<Graphics2D> other) {
+        mark = other;
+    }
+
+    /** {@return the region that is rendered first, or alone, and the mouse that draws it} */
+    public RegionTool regions() {
+        return regions;
+    }
+
+    /**
+     * Sets the scene that the next start reads.
+     *
+     * @param other the scene
+     */
+    public void setSource(SceneSource other) {
+        source = other;
+    }
+
+    /** {@return the scene} */
+    public SceneSource source() {
+        return source;
+    }
+
+    /**
+     * Sets what the next rendering is asked for beside the scene file.
+     *
+     * @param other the request
+     */
+    public void setRequest(RenderRequest other) {
+        request = other;
+    }
+
+    /** {@return what is asked for beside the scene file} */
+    public RenderRequest request() {
+        return request;
+    }
+
+    /**
+     * Sets what is painted over the picture, of its size; null for nothing.
+     *
+     * @param other the image; null for nothing
+     */
+    public void setMarks(BufferedImage other) {
+        if (marks != other) {
+            marks = other;
+            repaint();
+        }
+    }
+
+    /**
+     * Sets a listener for anything that may have changed.
+     *
+     * @param other called on the event thread
+     */
+    public void setListener(Runnable other) {
+        listener = other;
+    }
+
+    /** {@return the latest rendering; null before the first start} */
+    public RenderJob job() {
+        return job;
+    }
+
+    /** {@return whether there is more to come} */
+    public boolean isBusy() {
+        return kicker.isRunning();
+    }
+
+    /** {@return the picture that is shown, if it is whole; null if not} */
+    public Picture whole() {
+        return whole;
+    }
+
+    /** {@return what is shown, pixel for pixel; pixels that were not painted are transparent} Not to be changed. */
+    BufferedImage painted() {
+        return image;
+    }
+
+    @Override
+    public Dimension imageSize() {
+        return new Dimension(image.getWidth(), image.getHeight());
+    }
+}

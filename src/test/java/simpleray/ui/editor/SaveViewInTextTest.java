@@ -1,0 +1,80 @@
+package simpleray.ui.editor;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.event.KeyEvent;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import simpleray.ui.OpenWindow;
+import simpleray.ui.Screen;
+import simpleray.ui.TestScenes;
+import simpleray.ui.file.SceneSource;
+import simpleray.ui.picture.RenderJob;
+
+/** The camera, saved while the scene's text is open beside the picture: nothing that was typed is lost. */
+class SaveViewInTextTest {
+    private static final String SCENE = "1\n1  0 0 1 -1  0.2 0.4 0.6  0 0 0  0 0 0  0\n1 1 1\n0\n";
+    private static final String CAMERA = "camera 0.0 0.0 1.7000000000000002 0.0 0.0 -1.0 90.0\n";
+
+    @TempDir
+    private Path folder;
+    private Path scene;
+    private OpenWindow window;
+
+    @BeforeEach
+    void openTheText() {
+        scene = TestScenes.write(folder.resolve("wall.scene"), SCENE);
+        window = new OpenWindow(SceneSource.file(scene), 60, 40);
+        window.untilState(RenderJob.State.FINISHED);
+        OpenWindow.run(() -> window.document().toggle());
+        Screen.until("the text is there", () -> SCENE.equals(window.document().text()));
+        OpenWindow.run(() -> window.item("Nearer").doClick(0));
+        window.untilState(RenderJob.State.FINISHED);
+    }
+
+    @AfterEach
+    void close() {
+        OpenWindow.run(() -> window.document().forget());
+        window.close();
+    }
+
+    @Test
+    void aTextAsTheFileHasItIsSavedWithTheView() throws IOException {
+        save();
+
+        Screen.until("it is in the text, and saved", () -> (SCENE + CAMERA).equals(window.document().text())
+            && !window.document().isChanged());
+        assertThat(Files.readString(scene)).isEqualTo(SCENE + CAMERA);
+        window.untilState(RenderJob.State.FINISHED);
+        assertThat(OpenWindow.ask(() -> window.picture().request().settings().camera)).isNull();
+        assertThat(OpenWindow.ask(() -> window.banner().message("conflict"))).isNull();
+    }
+
+    @Test
+    void whatWasTypedStaysUnsavedAndHasTheView() throws IOException {
+        String typed = SCENE.replace("0.6", "0.9");
+        OpenWindow.run(() -> window.document().editor().area().setText(typed));
+        save();
+
+        Screen.until("it is in the text", () -> (typed + CAMERA).equals(window.document().text()));
+        assertThat(Files.readString(scene)).isEqualTo(SCENE);
+        Screen.until("it is rendered", () -> window.picture().whole() != null && !window.picture().isBusy()
+            && window.picture().job().snapshot().settings().camera != null && window.picture().request().settings().camera == null);
+        assertThat(OpenWindow.ask(() -> window.document().isChanged())).isTrue();
+        assertThat(window.canDo("Copy Command Line")).isFalse();
+
+        window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_S);
+        Screen.until("it is saved", () -> !window.document().isChanged());
+        assertThat(Files.readString(scene)).isEqualTo(typed + CAMERA);
+        Screen.until("now a command line can name it", () -> window.item("Copy Command Line").isEnabled());
+    }
+
+    private void save() {
+        OpenWindow.run(() -> window.item("Save View in Scene").doClick(0));
+    }
+}

@@ -1,0 +1,199 @@
+package simpleray.ui.picture;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.awt.Toolkit;
+import java.awt.datatransfer.DataFlavor;
+import java.awt.event.KeyEvent;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import javax.swing.JButton;
+import javax.swing.JLabel;
+import javax.swing.JOptionPane;
+import javax.swing.SwingUtilities;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import simpleray.scene.PerspectiveCamera.Pose;
+import simpleray.scene.Reach;
+import simpleray.scene.SceneFile;
+import simpleray.scene.SceneSettings;
+import simpleray.ui.OpenWindow;
+import simpleray.ui.Screen;
+import simpleray.ui.TestScenes;
+import simpleray.ui.file.FileSource;
+import simpleray.ui.file.SceneSource;
+
+/** The camera, taken along: to the clipboard, and into the scene's file. */
+class SaveViewTest {
+    private static final String SCENE = "1 # a wall\r\n1 0 0 1 -1  0.5 0.5 0.5  0.9 0.7 0.4  0 0 0 1\r\n0.3 0.3 0.3\r\n0\r\ndepth 3\r\n";
+
+    @TempDir
+    Path folder;
+    private Path scene;
+    private OpenWindow window;
+
+    @BeforeEach
+    void finishThePicture() {
+        scene = TestScenes.write(folder.resolve("wall.scene"), SCENE);
+        window = new OpenWindow(SceneSource.file(scene), 90, 60);
+        window.untilState(RenderJob.State.FINISHED);
+    }
+
+    @AfterEach
+    void close() {
+        window.close();
+    }
+
+    @Test
+    void copyCameraPutsTheLineOnTheClipboard() {
+        window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_C);
+        untilClipboard("camera 0.0 0.0 2.0 0.0 0.0 0.0 90.0\n");
+        assertThat(window.status()).isEqualTo("Copied: camera 0.0 0.0 2.0 0.0 0.0 0.0 90.0");
+
+        window.screen.press(KeyEvent.VK_PAGE_UP);
+        window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_C);
+        untilClipboard("camera 0.0 0.0 1.7000000000000002 0.0 0.0 -1.0 90.0\n");
+    }
+
+    @Test
+    void aWindowThatNoFreeCameraShowsIsCopiedAsItIs() {
+        byte[] framed = (SCENE + "window -1 3 -2 2\r\ncop 4\r\n").getBytes(StandardCharsets.UTF_8);
+        OpenWindow.run(() -> window.open(SceneSource.text(framed)));
+        window.untilState(RenderJob.State.FINISHED);
+        window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_C);
+
+        untilClipboard("window -1.0 3.0 -2.0 2.0\ncop 4.0\n");
+    }
+
+    @Test
+    void saveViewWritesTheLineAndNothingElseAndItIsTheScenesOwnFromThenOn() throws IOException {
+        Pose moved = moved();
+        save();
+        untilSaved();
+
+        assertThat(text()).isEqualTo(SCENE + "camera 0.0 0.0 1.7000000000000002 0.0 0.0 -1.0 90.0\r\n");
+        assertThat(SceneFile.read(scene).scene().settings.camera).isEqualTo(moved);
+        Screen.until("it is the scene's own", () -> window.picture().request().settings().camera == null);
+        window.untilState(RenderJob.State.FINISHED);
+
+        save();
+        Screen.until("there is nothing to save", () -> window.status().equals("The scene has this view already"));
+        moved();
+        save();
+        untilSaved();
+        assertThat(text()).isEqualTo(SCENE + "camera 0.0 0.0 1.4300000000000002 0.0 0.0 -1.0 90.0\r\n");
+    }
+
+    @Test
+    void aFileThatWasChangedMeanwhileStaysAsItIs() throws IOException {
+        FileSource source = new FileSource(scene, Reach.FOLDER);   // not the window's, which reads it anew as soon as it hears of it
+        source.read();
+        TestScenes.write(scene, SCENE + "# by somebody else\r\n");
+        SceneSettings view = new SceneSettings();
+        view.camera = new Pose(0, 0, 1, 0, 0, 0, 50);
+
+        assertThatThrownBy(() -> source.save(view))
+            .hasMessage(scene + ": It was changed on the disk since it was read: read it again first (F5)");
+        assertThat(text()).isEqualTo(SCENE + "# by somebody else\r\n");
+        assertThat(files()).isEqualTo(1);
+    }
+
+    @Test
+    void aFileThatIsGoneIsNotMadeAnew() throws IOException {
+        moved();
+        Files.delete(scene);
+        save();
+
+        untilRefused("It is no longer there");
+        assertThat(files()).isZero();
+    }
+
+    @Test
+    void aFileThatIsNoSceneAnyMoreIsNotWritten() throws IOException {
+        moved();
+        TestScenes.write(scene, "oops");
+        window.screen.press(KeyEvent.VK_F5);
+        window.untilState(RenderJob.State.FAILED);
+        save();
+
+        untilRefused("It is not readable as a scene: ");
+        assertThat(text()).isEqualTo("oops");
+    }
+
+    @Test
+    void aSceneWithoutAFileIsRefused() throws IOException {
+        OpenWindow.run(() -> window.open(SceneSource.text(SCENE.getBytes(StandardCharsets.UTF_8))));
+        window.untilState(RenderJob.State.FINISHED);
+        moved();
+        save();
+
+        untilRefused("The scene came by standard input: there is no file to write to");
+        assertThat(text()).isEqualTo(SCENE);
+    }
+
+    @Test
+    void aCameraOfTheCommandLineIsSavedThoughItWasNotMoved() throws IOException {
+        SceneSettings asked = new SceneSettings();
+        asked.cop = 5.0;
+        OpenWindow.run(() -> {
+            window.picture().setRequest(window.picture().request().with(asked));
+            window.picture().start();
+        });
+        window.untilState(RenderJob.State.FINISHED);
+        save();
+        untilSaved();
+
+        assertThat(text()).isEqualTo(SCENE + "cop 5.0\r\n");
+    }
+
+    /** {@return the camera, after a step nearer} */
+    private Pose moved() {
+        RenderJob before = window.job();
+        window.screen.press(KeyEvent.VK_PAGE_UP);
+        Screen.until("the move is rendered", () -> window.picture().job() != before);
+        window.untilState(RenderJob.State.FINISHED);
+        return OpenWindow.ask(() -> window.picture().request().settings().camera);
+    }
+
+    private void save() {
+        window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_V);
+    }
+
+    private void untilSaved() {
+        Screen.until("the view is saved", () -> window.picture().request().settings().camera == null
+            && window.picture().request().settings().cop == null);
+    }
+
+    private void untilRefused(String reason) {
+        JLabel label = OpenWindow.appears("the refusal", JLabel.class, l -> l.getText() != null && l.getText().startsWith(reason)
+            && SwingUtilities.getAncestorOfClass(JOptionPane.class, l) != null);
+        JButton ok = OpenWindow.appears("a button", JButton.class, b -> SwingUtilities.getAncestorOfClass(JOptionPane.class, b) != null);
+        window.screen.click(ok);
+        Screen.until("the refusal is gone", () -> !label.isShowing());
+    }
+
+    private static void untilClipboard(String text) {
+        Screen.until("the clipboard has the line", () -> {
+            try {
+                return text.equals(Toolkit.getDefaultToolkit().getSystemClipboard().getData(DataFlavor.stringFlavor));
+            } catch (Exception e) {
+                throw new IllegalStateException(e);
+            }
+        });
+    }
+
+    private String text() throws IOException {
+        return Files.readString(scene);
+    }
+
+    private long files() throws IOException {
+        try (var list = Files.list(folder)) {
+            return list.count();
+        }
+    }
+}
