@@ -7,7 +7,6 @@ import static simpleray.text.SceneText.reader;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
-import java.util.List;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -112,7 +111,8 @@ class SceneReaderWordsTest {
     void aPieceOfAFileIsTakenApartIntoItsWords() throws IOException {
         byte[] bytes = "0 0 1 22 # 3\n\"a b\" 4 5".getBytes(StandardCharsets.UTF_8);
 
-        assertThat(new SourceSpan(4, 21).words(bytes)).isEqualTo(List.of(new SourceSpan(4, 5), new SourceSpan(6, 8), new SourceSpan(13, 18), new SourceSpan(19, 20)));
+        assertThat(new SourceSpan(4, 21).words(bytes)).containsExactly(new SourceSpan(4, 5), new SourceSpan(6, 8),
+            new SourceSpan(13, 18), new SourceSpan(19, 20));
         assertThat(new SourceSpan(8, 13).words(bytes)).isEmpty();
     }
 
