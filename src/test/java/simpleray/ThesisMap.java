@@ -12,7 +12,7 @@ import java.util.regex.Pattern;
 
 /** The tables of docs/thesis-map.md. <em>Constant.</em> */
 final class ThesisMap {
-    private static final Pattern HEADING = Pattern.compile("## (\\w+) \\(`(simpleray\\.\\w+)`\\)");
+    private static final Pattern HEADING = Pattern.compile("## (\\w+) \\(`(simpleray[\\w.]+)`\\)");
     private static final Pattern ROW =
         Pattern.compile("\\| ch\\. 5, Class (\\w+), (field|constructor|method) (\\d+) \\| `([^`]+)` \\| `([^`]+)` \\|");
     private static final List<String> TABLE_HEAD = List.of("| place | as printed | here |", "|---|---|---|");

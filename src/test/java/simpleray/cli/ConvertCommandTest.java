@@ -13,8 +13,8 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import simpleray.Project;
-import simpleray.scene.Reach;
 import simpleray.scene.SceneBits;
+import simpleray.scene.Reach;
 import simpleray.scene.SceneFile;
 
 /** {@code convert}: the same scene in canonical form. */

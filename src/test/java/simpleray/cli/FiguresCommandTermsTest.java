@@ -16,8 +16,8 @@ import simpleray.render.RenderRequest;
 import simpleray.render.Stage;
 import simpleray.scene.Scene;
 import simpleray.scene.SceneFile;
-import simpleray.scene.SceneSettings.Resolution;
 import simpleray.scene.SceneSettings;
+import simpleray.scene.SceneSettings.Resolution;
 
 /** The thesis's figure 10: ambient, diffuse and specular light are the lighting. */
 class FiguresCommandTermsTest {

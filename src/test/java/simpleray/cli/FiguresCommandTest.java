@@ -28,8 +28,8 @@ import simpleray.render.RenderRequest;
 import simpleray.render.Stage;
 import simpleray.scene.Scene;
 import simpleray.scene.SceneFile;
-import simpleray.scene.SceneSettings.Resolution;
 import simpleray.scene.SceneSettings;
+import simpleray.scene.SceneSettings.Resolution;
 
 /** {@code simpleray figures}: which sheets it makes, and what it says. */
 class FiguresCommandTest {

@@ -25,8 +25,8 @@ import simpleray.render.RenderRequest;
 import simpleray.render.Stage;
 import simpleray.scene.Scene;
 import simpleray.scene.SceneFile;
-import simpleray.scene.SceneSettings.Resolution;
 import simpleray.scene.SceneSettings;
+import simpleray.scene.SceneSettings.Resolution;
 
 /** A rendering goes on with the rows of its own picture, and with no others. */
 class RenderCommandResumeTest {
