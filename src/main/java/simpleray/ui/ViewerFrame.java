@@ -30,6 +30,7 @@ import simpleray.ui.picture.SimpleRay;
 import simpleray.ui.picture.ZoomTool;
 import simpleray.ui.widget.Banner;
 import simpleray.ui.widget.Look;
+import simpleray.ui.widget.Workers;
 
 /** The window: menus, the picture, problems of the scene if there are any, and a status bar. For the event thread, but for await. */
 final class ViewerFrame extends JFrame implements EditorContext {
@@ -41,13 +42,13 @@ final class ViewerFrame extends JFrame implements EditorContext {
     private static final int PATIENCE = 400;
 
     private final transient SimpleRay picture;
+    private final transient Workers workers = new Workers();
     private final transient SceneDocument document = new SceneDocument(this);
     private final DiagnosticsPane problems = new DiagnosticsPane(document::goTo);
     private final Banner banner = new Banner();
     private final JSplitPane split;
     private final JSplitPane beside = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT);
     private final StatusBar status = new StatusBar();
-    private final transient PictureDialogs dialogs;
     private final transient DesktopActions desktop;
     private final transient Inspector inspector;
     private final transient Comparison comparison;
@@ -78,8 +79,8 @@ final class ViewerFrame extends JFrame implements EditorContext {
         split = new JSplitPane(JSplitPane.VERTICAL_SPLIT, beside, null);
         split.setResizeWeight(1);
         split.setDividerSize(0);                              // until there are problems to show
-        inspector = new Inspector(picture, status::showPixel, status::say);
-        dialogs = new PictureDialogs(this, preferences);
+        inspector = new Inspector(this, status::showPixel);
+        PictureDialogs dialogs = new PictureDialogs(this, preferences);
         desktop = new DesktopActions(this, preferences, look, this::lookChanged);
         comparison = new Comparison(this);
         camera = new CameraMenu(this, document::text, document::replace);
@@ -111,6 +112,11 @@ final class ViewerFrame extends JFrame implements EditorContext {
     @Override
     public SimpleRay picture() {
         return picture;
+    }
+
+    @Override
+    public Workers workers() {
+        return workers;
     }
 
     @Override
@@ -241,12 +247,8 @@ final class ViewerFrame extends JFrame implements EditorContext {
         if (watcher != null) {
             watcher.close();
         }
-        document.close();
-        inspector.close();
-        comparison.close();
+        workers.close();
         desktop.close();
-        dialogs.close();
-        camera.close();
         dispose();
         closed.run();
     }
@@ -260,11 +262,7 @@ final class ViewerFrame extends JFrame implements EditorContext {
         if (watcher != null) {
             watcher.await();
         }
-        document.await();
-        inspector.await();
-        dialogs.await();
-        camera.await();
-        comparison.await();
+        workers.await();
         desktop.await();
     }
 

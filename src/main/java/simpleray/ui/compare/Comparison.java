@@ -6,9 +6,7 @@ import java.awt.image.BufferedImage;
 import java.time.LocalTime;
 import java.time.ZoneId;
 import java.util.List;
-import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
-import java.util.concurrent.TimeUnit;
+import java.util.concurrent.Executor;
 import javax.swing.Action;
 import javax.swing.JCheckBoxMenuItem;
 import javax.swing.JMenu;
@@ -34,9 +32,8 @@ public final class Comparison {
     private final JCheckBoxMenuItem marks = item("Mark Clipped Pixels", "X", this::mark);
     private final JCheckBoxMenuItem histogram = item("Histogram", "H", this::showHistogram);
     private final JCheckBoxMenuItem logarithmic = item("Logarithmic Counts", "L", this::countByLogarithm);
-    private volatile ExecutorService looker;                           // null until there is a picture to look at
+    private final Executor looker;
     private JScrollPane place;                                // where the picture is when it is not compared
-    private boolean closed;
     private Picture seen;
     private FinishedRender latest;                            // what was found in it; null until it is
 
@@ -47,6 +44,7 @@ public final class Comparison {
      */
     public Comparison(ViewerContext window) {
         this.window = window;
+        looker = window.workers().stopping("simpleray-looking");
         menu.setMnemonic(KeyEvent.VK_P);
         menu.add(beside);
         menu.add(wipe);
@@ -59,7 +57,7 @@ public final class Comparison {
     }
 
     private ComparePane newPane() {
-        ComparePane made = new ComparePane(this::look);
+        ComparePane made = new ComparePane(looker);
         made.setMarked(marks.isSelected());
         return made;
     }
@@ -92,7 +90,7 @@ public final class Comparison {
     public void refresh() {
         SimpleRay shown = window.picture();
         Picture whole = shown.whole();
-        if (whole == seen || closed) {
+        if (whole == seen) {
             return;
         }
         seen = whole;
@@ -103,24 +101,9 @@ public final class Comparison {
         }
     }
 
-    /** Does something on the thread that looks, unless the window is closed. */
-    private void look(Runnable task) {
-        if (closed) {
-            return;
-        }
-        if (looker == null) {
-            looker = Executors.newSingleThreadExecutor(work -> {
-                Thread thread = new Thread(work, "simpleray-looking");
-                thread.setDaemon(true);
-                return thread;
-            });
-        }
-        looker.execute(task);
-    }
-
     private void look(Picture picture, SceneSource source, RenderRequest request, double seconds) {
         LocalTime now = LocalTime.now(ZoneId.systemDefault());
-        look(() -> {
+        looker.execute(() -> {
             try {
                 FinishedRender found = new FinishedRender(picture, source, request, seconds, now);
                 SwingUtilities.invokeLater(() -> take(picture, found));
@@ -182,12 +165,12 @@ public final class Comparison {
     private void mark() {
         boolean marked = marks.isSelected();
         pane.ifMade(compared -> compared.setMarked(marked));
-        FinishedRender found = marked && !closed ? latest : null;
+        FinishedRender found = marked ? latest : null;
         if (found == null) {
             window.picture().setMarks(null);
             window.showProgress();                             // in place of what was counted
         } else {
-            look(() -> {
+            looker.execute(() -> {
                 BufferedImage made = found.marks();
                 SwingUtilities.invokeLater(() -> {
                     if (found == latest && marks.isSelected()) {
@@ -219,24 +202,5 @@ public final class Comparison {
     /** {@return the pictures that can be compared, the latest last} */
     public List<FinishedRender> pictures() {
         return history.pictures();
-    }
-
-    /** Ends the looking. */
-    public void close() {
-        closed = true;
-        if (looker != null) {
-            looker.shutdownNow();
-        }
-    }
-
-    /**
-     * Waits until nothing is looked at; not for the event thread.
-     *
-     * @throws InterruptedException if the thread is interrupted
-     */
-    public void await() throws InterruptedException {
-        if (looker != null) {
-            looker.awaitTermination(Long.MAX_VALUE, TimeUnit.NANOSECONDS);
-        }
     }
 }

@@ -6,9 +6,7 @@ import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
-import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
-import java.util.concurrent.TimeUnit;
+import java.util.concurrent.Executor;
 import javax.swing.JFileChooser;
 import javax.swing.JFrame;
 import javax.swing.JOptionPane;
@@ -23,7 +21,7 @@ import simpleray.ui.picture.ViewerContext;
 public final class PictureDialogs {
     private final ViewerContext window;
     private final JFrame frame;
-    private final ExecutorService writer = Executors.newSingleThreadExecutor(task -> new Thread(task, "simpleray-saving"));
+    private final Executor writer;
     private final Preferences preferences;
     private File folder;
 
@@ -36,6 +34,7 @@ public final class PictureDialogs {
     public PictureDialogs(ViewerContext window, Preferences preferences) {
         this.window = window;
         frame = window.frame();
+        writer = window.workers().finishing("simpleray-saving");
         this.preferences = preferences;
         Path last = preferences.folder();
         folder = last != null && Files.isDirectory(last) ? last.toFile() : new File("").getAbsoluteFile();
@@ -125,19 +124,5 @@ public final class PictureDialogs {
         } catch (IOException | RuntimeException e) {
             return e.toString();
         }
-    }
-
-    /** Takes no more pictures; those that are being saved still are. */
-    public void close() {
-        writer.shutdown();
-    }
-
-    /**
-     * Waits until all pictures are saved; not for the event thread.
-     *
-     * @throws InterruptedException if the thread is interrupted
-     */
-    public void await() throws InterruptedException {
-        writer.awaitTermination(Long.MAX_VALUE, TimeUnit.NANOSECONDS);
     }
 }

@@ -7,21 +7,19 @@ import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.Arrays;
-import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
-import java.util.concurrent.TimeUnit;
+import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import javax.swing.SwingUtilities;
 import simpleray.io.AtomicFile;
 import simpleray.ui.file.SceneSource;
 
-/** Reads and writes a scene's text on a thread of its own, one after another, and answers on the event thread. */
+/** Reads and writes a scene's text on a thread of the window's, and answers on the event thread. */
 final class SceneDisk {
     /** The largest file that is edited; beyond, typing would be slow. */
     static final long MAX = 8L << 20;
     private static final double MEBI = 1 << 20;
 
-    private final ExecutorService worker = Executors.newSingleThreadExecutor(task -> new Thread(task, "simpleray-editing"));
+    private final Executor worker;
 
     /**
      * What came of reading or writing. <em>Constant.</em>
@@ -31,6 +29,10 @@ final class SceneDisk {
      * @param other whether nothing was written, because the file holds something else than was expected
      */
     record Answer(byte[] bytes, String failure, boolean other) {
+    }
+
+    SceneDisk(Executor worker) {
+        this.worker = worker;
     }
 
     /** Reads a scene's text. A file that is not there is no failure. */
@@ -98,15 +100,5 @@ final class SceneDisk {
 
     private static void tell(Consumer<Answer> then, Answer answer) {
         SwingUtilities.invokeLater(() -> then.accept(answer));
-    }
-
-    /** Takes no more; what was begun is done. */
-    void close() {
-        worker.shutdown();
-    }
-
-    /** Waits until all is written; not for the event thread. */
-    void await() throws InterruptedException {
-        worker.awaitTermination(Long.MAX_VALUE, TimeUnit.NANOSECONDS);
     }
 }

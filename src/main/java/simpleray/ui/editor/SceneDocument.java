@@ -21,7 +21,7 @@ public final class SceneDocument {
     private static final String TEXT = "text";
 
     private final EditorContext window;
-    private final SceneDisk disk = new SceneDisk();
+    private final SceneDisk disk;
     private SceneSource source = SceneSource.NONE;
     private SceneEditor editor;                               // null until it is asked for
     private boolean shown;
@@ -39,6 +39,7 @@ public final class SceneDocument {
      */
     public SceneDocument(EditorContext window) {
         this.window = window;
+        disk = new SceneDisk(window.workers().finishing("simpleray-editing"));
     }
 
     /**
@@ -366,19 +367,5 @@ public final class SceneDocument {
     private void refresh() {
         changed = saved != null && !editor.holds(saved.text());
         window.refreshTitle();
-    }
-
-    /** Ends the editing; a text that is being written still is. */
-    public void close() {
-        disk.close();
-    }
-
-    /**
-     * Waits until all is written; not for the event thread.
-     *
-     * @throws InterruptedException if the thread is interrupted
-     */
-    public void await() throws InterruptedException {
-        disk.await();
     }
 }

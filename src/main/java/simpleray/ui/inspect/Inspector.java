@@ -13,9 +13,7 @@ import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
-import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import javax.swing.JMenu;
 import javax.swing.JSplitPane;
@@ -28,6 +26,7 @@ import simpleray.render.StoryText;
 import simpleray.scene.RayTree;
 import simpleray.ui.picture.RenderJob;
 import simpleray.ui.picture.SimpleRay;
+import simpleray.ui.picture.ViewerContext;
 import simpleray.ui.widget.KeyBindings;
 import simpleray.ui.widget.Lazy;
 
@@ -36,8 +35,6 @@ import simpleray.ui.widget.Lazy;
  * is on. What is to be traced for that is traced on a thread of its own. All methods are for the event thread, but for await.
  */
 public final class Inspector {
-    /** Room for as many reflections within reflections as rendering has. */
-    private static final long STACK = 8L << 20;
     private static final int DIVIDER = 6;
     /** How far the frame of the pixel cursor is from its pixel. */
     private static final int FRAME = 4;
@@ -49,11 +46,7 @@ public final class Inspector {
     private final Consumer<String> status;
     private final Lazy<StoryPane> pane = new Lazy<>(() -> new StoryPane(this::copy, this::closeStory));
     private final JSplitPane beside = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT);
-    private final ExecutorService teller = Executors.newSingleThreadExecutor(task -> {
-        Thread thread = new Thread(null, task, "simpleray-inspector", STACK);
-        thread.setDaemon(true);
-        return thread;
-    });
+    private final ExecutorService teller;
 
     private Boolean untold;                                   // a story was asked for: whether to have the keys; null once it is there
     private RenderJob shown;                                  // the one whose rows are on the screen
@@ -69,14 +62,14 @@ public final class Inspector {
     /**
      * Creates an inspector.
      *
-     * @param picture the picture
+     * @param window the window
      * @param hoverLine gets a line about the pixel under the mouse; a blank if there is none
-     * @param status gets short messages
      */
-    public Inspector(SimpleRay picture, Consumer<String> hoverLine, Consumer<String> status) {
-        this.picture = picture;
+    public Inspector(ViewerContext window, Consumer<String> hoverLine) {
+        picture = window.picture();
+        status = window::say;
+        teller = window.workers().stopping("simpleray-inspector");
         this.hoverLine = hoverLine;
-        this.status = status;
         MouseAdapter mouse = new MouseAdapter() {
             @Override
             public void mouseMoved(MouseEvent e) {
@@ -214,20 +207,6 @@ public final class Inspector {
         }
     }
 
-    /** Ends what is being told, and the thread. */
-    public void close() {
-        teller.shutdownNow();
-    }
-
-    /**
-     * Waits until the thread has ended; not for the event thread.
-     *
-     * @throws InterruptedException if the thread is interrupted
-     */
-    public void await() throws InterruptedException {
-        teller.awaitTermination(Long.MAX_VALUE, TimeUnit.NANOSECONDS);
-    }
-
     private boolean isOpen() {
         return beside.getRightComponent() != null;
     }
@@ -294,7 +273,7 @@ public final class Inspector {
         }
         asking = true;
         RenderJob job = shown;
-        submit(() -> {
+        teller.submit(() -> {
             try {
                 RayTree.Thing thing = explainer(job).objectAt(pixel.x, pixel.y);
                 SwingUtilities.invokeLater(() -> answer(pixel, job, thing));
@@ -326,7 +305,7 @@ public final class Inspector {
         untold = focus;
         RenderJob job = shown;
         Point pixel = cursor;
-        telling = submit(() -> {
+        telling = teller.submit(() -> {
             PixelStory told;
             DefaultMutableTreeNode root;
             try {
@@ -363,10 +342,6 @@ public final class Inspector {
         if (telling != null) {
             telling.cancel(true);
         }
-    }
-
-    private Future<?> submit(Runnable task) {
-        return teller.isShutdown() ? null : teller.submit(task);
     }
 
     private Explainer explainer(RenderJob job) {

@@ -7,9 +7,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.FileSystemException;
 import java.nio.file.Path;
-import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
-import java.util.concurrent.TimeUnit;
+import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import javax.swing.Action;
@@ -37,7 +35,7 @@ public final class CameraMenu {
     private final SimpleRay picture;
     private final CameraTool tool;
     private final JMenu menu = new JMenu("Camera");
-    private final ExecutorService writer = Executors.newSingleThreadExecutor(task -> new Thread(task, "simpleray-view"));
+    private final Executor writer;
 
     /**
      * Creates the menu.
@@ -51,6 +49,7 @@ public final class CameraMenu {
         this.text = text;
         this.replacement = replacement;
         picture = window.picture();
+        writer = window.workers().finishing("simpleray-view");
         tool = new CameraTool(picture);
         menu.setMnemonic(KeyEvent.VK_C);
         add("Orbit Left", "LEFT", () -> tool.turn(-STEP, 0));
@@ -79,20 +78,6 @@ public final class CameraMenu {
     /** Lets go of the moves: another scene comes. */
     public void forget() {
         tool.forget();
-    }
-
-    /** Saves no more views; one that is being saved still is. */
-    public void close() {
-        writer.shutdown();
-    }
-
-    /**
-     * Waits until all views are saved; not for the event thread.
-     *
-     * @throws InterruptedException if the thread is interrupted
-     */
-    public void await() throws InterruptedException {
-        writer.awaitTermination(Long.MAX_VALUE, TimeUnit.NANOSECONDS);
     }
 
     /** Adds an item. Its key also works where the pane round the picture would take it for scrolling. */

@@ -2,6 +2,7 @@ package simpleray.ui.picture;
 
 import javax.swing.JFrame;
 import simpleray.ui.file.SceneSource;
+import simpleray.ui.widget.Workers;
 
 /** The window, as its parts know it. For the event thread unless a method says otherwise. */
 public interface ViewerContext {
@@ -10,6 +11,9 @@ public interface ViewerContext {
 
     /** {@return the picture} */
     SimpleRay picture();
+
+    /** {@return its threads for tasks that take long} */
+    Workers workers();
 
     /**
      * Shows a short message in the status bar.
