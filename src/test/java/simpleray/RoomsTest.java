@@ -90,6 +90,13 @@ class RoomsTest {
                 .and(not(resideInAPackage("java.awt.image.."))).and(not(type(Rectangle.class)))).check(PROGRAM);
     }
 
+    /** All other parts of the window know it as an interface. */
+    @Test
+    void onlyClassesThatOpenTheWindowKnowItsFrame() {
+        noClasses().that().haveNameNotMatching("simpleray\\.ui\\.(Viewer|ViewerFrame|CdsTrainingRun)(\\$.*)?")
+            .should().dependOnClassesThat().haveFullyQualifiedName("simpleray.ui.ViewerFrame").check(PROGRAM);
+    }
+
     @Test
     void onlyTheCommandLineKnowsPicocli() {
         noClasses().that().resideOutsideOfPackage(CLI).should().dependOnClassesThat().resideInAPackage("picocli..").check(PROGRAM);

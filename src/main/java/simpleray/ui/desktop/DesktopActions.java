@@ -23,9 +23,6 @@ import simpleray.ui.widget.Look;
 
 /** What a desktop's users expect beside opening and saving: recent scenes, copies, a chosen look, help. */
 public final class DesktopActions {
-    /** An action's further key, beside that which its menu shows. */
-    static final String ALSO = "simpleray.also";
-
     private final ViewerContext window;
     private final Action copyPicture;
     private final Action copyCommand;
@@ -109,7 +106,7 @@ public final class DesktopActions {
      */
     public void addKey(Action action, String key) {
         KeyStroke stroke = KeyStroke.getKeyStroke(key);
-        action.putValue(ALSO, stroke);
+        action.putValue(Shortcuts.ALSO, stroke);
         window.frame().getRootPane().getInputMap(JComponent.WHEN_IN_FOCUSED_WINDOW).put(stroke, action);
         window.frame().getRootPane().getActionMap().put(action, action);
     }

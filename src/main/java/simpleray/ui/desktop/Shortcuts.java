@@ -14,6 +14,9 @@ import javax.swing.MenuElement;
 
 /** All keys of a window, taken from its menus, so that none can be forgotten; and what the mouse does. */
 public final class Shortcuts {
+    /** The property of an action for its second key; the menu shows the first. */
+    static final String ALSO = "simpleray.also";
+
     /** What the mouse does, and keys that work on the picture alone; no menu tells these. */
     public static final List<Shortcut> GESTURES = List.of(
         new Shortcut("Picture", "Tell a pixel's values", "Point at it"),
@@ -69,8 +72,8 @@ public final class Shortcuts {
 
     private static String keys(JMenuItem item) {
         Action action = item.getAction();
-        boolean more = action != null && action.getValue(DesktopActions.ALSO) != null;
-        return name(item.getAccelerator()) + (more ? ", " + name((KeyStroke) action.getValue(DesktopActions.ALSO)) : "");
+        boolean more = action != null && action.getValue(ALSO) != null;
+        return name(item.getAccelerator()) + (more ? ", " + name((KeyStroke) action.getValue(ALSO)) : "");
     }
 
     /** {@return a key as a keyboard names it} */
