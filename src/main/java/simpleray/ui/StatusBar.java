@@ -17,7 +17,7 @@ import simpleray.ui.picture.RenderJob;
 final class StatusBar extends JPanel {
     private static final long serialVersionUID = 1L;
     private static final int GAP = 12;
-    /** Where there is less room than this, the progress in words has what the bar and the size would take. */
+    /** In a narrower window the progress in words takes the room of the size, and of most of the bar. */
     private static final int NARROW = 480;
 
     private final JLabel text = new JLabel(" ");

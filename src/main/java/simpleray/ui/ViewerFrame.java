@@ -38,7 +38,7 @@ final class ViewerFrame extends JFrame implements EditorContext {
     private static final int DIVIDER = 6;
     private static final double HALF = 0.5;
     private static final String GONE = "gone";
-    /** Milliseconds that a file with errors, found changed, has to become whole: whoever writes it may not be done. */
+    /** Milliseconds that a changed file with errors has to become whole: another program may still be writing it. */
     private static final int PATIENCE = 400;
 
     private final transient SimpleRay picture;
@@ -163,7 +163,7 @@ final class ViewerFrame extends JFrame implements EditorContext {
 
     private void heard(SceneWatcher.News news) {
         if (news == SceneWatcher.News.DELETED) {
-            patience.stop();                                  // what could not be read is no longer there
+            patience.stop();                                  // its errors do not matter any more
             String name = new File(opened.name()).getName();
             banner.show(GONE, name + " was deleted; the picture is the last one read");
         } else {
@@ -291,7 +291,7 @@ final class ViewerFrame extends JFrame implements EditorContext {
         refreshMenus();
     }
 
-    /** Takes the errors of a file that did not change any more for what they are. */
+    /** Shows the errors of a file that has not changed any more. */
     private void believe() {
         doubted = null;
         refresh();
@@ -304,7 +304,7 @@ final class ViewerFrame extends JFrame implements EditorContext {
     private void showProblems(RenderJob.Snapshot now) {
         String text = now.problems();
         if (text.equals(problems.getText())) {
-            return;                                           // the same as before: what is selected stays so
+            return;                                           // the same as before: the selection stays
         }
         problems.show(text, now.findings().places());
         JScrollPane pane = text.isEmpty() ? null : new JScrollPane(problems);

@@ -97,7 +97,7 @@ final class ViewerMenus {
         return bar;
     }
 
-    /** Enables what can be done now. */
+    /** Enables the items that can be used now. */
     void refresh(boolean busy, boolean whole, boolean scene) {
         save.setEnabled(whole);
         render.setEnabled(scene);

@@ -7,17 +7,17 @@ import java.awt.image.Raster;
 import java.awt.image.WritableRaster;
 
 /**
- * Pixels whose light a screen cannot show: above 1 or below 0 in a channel. In a packed pixel the upper byte, which a screen has no use
- * for, tells of it.
+ * Pixels whose light a screen cannot show: above 1 or below 0 in a channel. In a packed pixel the upper byte, which a screen does
+ * not use, holds flags for them.
  */
 final class Clipped {
     /** Set in a packed pixel with a channel above 1. */
     static final int ABOVE = 1 << 24;
     /** Set in a packed pixel with a channel below 0, or one that is no number. */
     static final int BELOW = 1 << 25;
-    /** The signal colour of what is above 1. */
+    /** The signal colour of pixels above 1. */
     static final int ABOVE_COLOUR = 0xFFFF00FF;
-    /** The signal colour of what is below 0. */
+    /** The signal colour of pixels below 0. */
     static final int BELOW_COLOUR = 0xFF00FFFF;
 
     private static final int BITS = 24;

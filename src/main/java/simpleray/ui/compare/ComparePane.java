@@ -31,7 +31,7 @@ final class ComparePane extends JPanel implements Scrollable {
     /**
      * Creates the pane.
      *
-     * @param looker does what takes long, on another thread
+     * @param looker runs long tasks on another thread
      */
     ComparePane(Executor looker) {
         super(new BorderLayout());
@@ -64,7 +64,7 @@ final class ComparePane extends JPanel implements Scrollable {
         return view;
     }
 
-    /** Lists the pictures, the latest last. Who looked at the latest looks at the new one; a choice that is gone becomes the oldest. */
+    /** Lists the pictures, the latest last. A choice of the latest becomes the new one; a choice that is gone becomes the oldest. */
     void list(List<FinishedRender> pictures) {
         boolean latest = right.getSelectedIndex() == right.getItemCount() - 1;
         Object one = left.getSelectedItem();

@@ -13,7 +13,7 @@ import java.awt.image.BufferedImage;
 import simpleray.ui.widget.DrawnComponent;
 import simpleray.ui.widget.KeyBindings;
 
-/** Two pictures side by side, or one over the other with a divider between what is seen of each. */
+/** Two pictures side by side, or one over the other with a divider between their visible parts. */
 final class CompareView extends DrawnComponent {
     private static final long serialVersionUID = 1L;
     private static final Color SURROUND = new Color(0x3C3F41);

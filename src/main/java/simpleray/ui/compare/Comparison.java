@@ -35,7 +35,7 @@ public final class Comparison {
     private final Executor looker;
     private JScrollPane place;                                // where the picture is when it is not compared
     private Picture seen;
-    private FinishedRender latest;                            // what was found in it; null until it is
+    private FinishedRender latest;                            // its levels and light; null until they are evaluated
 
     /**
      * Creates a comparison of nothing yet.
@@ -168,7 +168,7 @@ public final class Comparison {
         FinishedRender found = marked ? latest : null;
         if (found == null) {
             window.picture().setMarks(null);
-            window.showProgress();                             // in place of what was counted
+            window.showProgress();                            // in place of the counts
         } else {
             looker.execute(() -> {
                 BufferedImage made = found.marks();

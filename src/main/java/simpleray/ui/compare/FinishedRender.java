@@ -14,8 +14,8 @@ import simpleray.ui.file.SceneSource;
 import simpleray.ui.picture.CommandWords;
 
 /**
- * A picture that was finished, what was asked for, and when. <em>Constant</em>, but that the machine takes the pixels back when the memory
- * is short.
+ * A finished picture with its request and its time. <em>Constant</em>, except that the garbage collector takes the pixels when memory is
+ * short.
  */
 final class FinishedRender {
     private static final DateTimeFormatter CLOCK = DateTimeFormatter.ofPattern("HH:mm:ss");
@@ -77,7 +77,7 @@ final class FinishedRender {
         return made;
     }
 
-    /** Lets go of the pixels, as the machine does when the memory is short. */
+    /** Drops the pixels, as the garbage collector does when memory is short. */
     void drop() {
         pixels.clear();
     }
@@ -99,13 +99,13 @@ final class FinishedRender {
         return histogram;
     }
 
-    /** {@return what was asked for, as the command line has it} */
+    /** {@return the request as options of the command line} */
     String options() {
         List<String> words = CommandWords.render(Path.of(""), "", request);
         return source.name() + " " + String.join(" ", words.subList(4, words.size()));
     }
 
-    /** {@return when it was finished, of what, and how} */
+    /** {@return its time, scene, stage, size and duration} */
     @Override
     public String toString() {
         return label;

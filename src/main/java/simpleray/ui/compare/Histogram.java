@@ -17,7 +17,7 @@ final class Histogram {
     private long clippedAbove;
     private long clippedBelow;
 
-    /** Counts a pixel. 1 itself is in the last bin; what is no number counts as below 0, as it is shown black. */
+    /** Counts a pixel. 1 itself is in the last bin; NaN counts as below 0, since it is shown black. */
     void add(double red, double green, double blue) {
         add(0, red);
         add(1, green);

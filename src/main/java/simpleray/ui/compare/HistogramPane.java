@@ -12,7 +12,7 @@ import javax.swing.JPanel;
 import javax.swing.UIManager;
 import simpleray.ui.widget.DrawnComponent;
 
-/** How often each light occurs in the picture: a chart for each channel from 0 to 1, with what is below and above at its ends. */
+/** How often each light occurs in the picture: a chart for each channel from 0 to 1, with the counts below and above at its ends. */
 final class HistogramPane extends JPanel {
     private static final long serialVersionUID = 1L;
     private static final String[] NAMES = {"Red", "Green", "Blue"};

@@ -17,7 +17,7 @@ final class History {
         this(Runtime.getRuntime().maxMemory() / SHARE);
     }
 
-    /** Keeps pictures in so many bytes. */
+    /** Creates a history that may take a number of bytes. */
     History(long room) {
         this.room = room;
     }

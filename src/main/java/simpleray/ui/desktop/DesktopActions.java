@@ -21,7 +21,7 @@ import simpleray.ui.picture.ViewerContext;
 import simpleray.ui.widget.KeyBindings;
 import simpleray.ui.widget.Look;
 
-/** What a desktop's users expect beside opening and saving: recent scenes, copies, a chosen look, help. */
+/** Actions that users of a desktop expect beside opening and saving: recent scenes, copies, a chosen look, help. */
 public final class DesktopActions {
     private final ViewerContext window;
     private final Action copyPicture;
@@ -35,7 +35,7 @@ public final class DesktopActions {
     private volatile Thread copying;                          // a picture to the clipboard; null if none was
     private Made made;
 
-    /** What is shown, and what made it; the picture is null if only a region of it was made. */
+    /** The picture shown, with its scene and request; the picture is null if only a region of it was made. */
     private record Made(Picture picture, SceneSource source, RenderRequest request) {
     }
 
@@ -70,7 +70,7 @@ public final class DesktopActions {
     }
 
     /**
-     * Adds what belongs below File &gt; Open.
+     * Adds the items below File &gt; Open.
      *
      * @param file the File menu
      */
@@ -79,7 +79,7 @@ public final class DesktopActions {
     }
 
     /**
-     * Adds what belongs below File &gt; Save.
+     * Adds the items below File &gt; Save.
      *
      * @param file the File menu
      */
@@ -120,7 +120,7 @@ public final class DesktopActions {
         recent.opened(source);
     }
 
-    /** Enables what can be done now. */
+    /** Enables the items that can be used now. */
     public void refresh() {
         SimpleRay shown = window.picture();
         Picture whole = shown.whole();
@@ -181,7 +181,7 @@ public final class DesktopActions {
         }
     }
 
-    /** Notes what is to be remembered of the window. */
+    /** Notes the place of the window, and ends. */
     public void close() {
         look.close();
         place.remember();

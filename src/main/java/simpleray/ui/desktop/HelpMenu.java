@@ -26,7 +26,7 @@ final class HelpMenu {
         JOptionPane.showMessageDialog(window.frame(), aboutText(), "About SimpleRay", JOptionPane.INFORMATION_MESSAGE, ProgramIcon.large());
     }
 
-    /** {@return which program this is, and on what it runs} */
+    /** {@return the version of the program, of Java and of the system} */
     static String aboutText() {
         String version = HelpMenu.class.getPackage().getImplementationVersion();
         return "SimpleRay " + (version == null ? "(not packaged)" : version)

@@ -11,7 +11,7 @@ import javax.swing.JRadioButtonMenuItem;
 import javax.swing.SwingUtilities;
 import simpleray.ui.widget.Look;
 
-/** View &gt; Look: what is chosen is shown at once and remembered; the desktop's look is followed whenever the window gets the keys. */
+/** View &gt; Look: shows a choice at once and remembers it; follows the desktop's look whenever the window gets the focus. */
 final class LookMenu {
     private final JFrame frame;
     private final Runnable changed;                           // follows another look where Swing does not

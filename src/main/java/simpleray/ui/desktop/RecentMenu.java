@@ -25,7 +25,7 @@ final class RecentMenu extends JMenu {
         refresh();
     }
 
-    /** Lists what was opened until now. */
+    /** Lists the scenes that were opened until now. */
     void refresh() {
         removeAll();
         List<Path> files = preferences.recent();

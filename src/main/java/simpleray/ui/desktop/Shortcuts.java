@@ -12,12 +12,12 @@ import javax.swing.JMenuItem;
 import javax.swing.KeyStroke;
 import javax.swing.MenuElement;
 
-/** All keys of a window, taken from its menus, so that none can be forgotten; and what the mouse does. */
+/** All keys of a window, taken from its menus, so that none can be forgotten; and the gestures of the mouse. */
 public final class Shortcuts {
     /** The property of an action for its second key; the menu shows the first. */
     static final String ALSO = "simpleray.also";
 
-    /** What the mouse does, and keys that work on the picture alone; no menu tells these. */
+    /** Gestures of the mouse, and keys that work on the picture alone; no menu shows these. */
     public static final List<Shortcut> GESTURES = List.of(
         new Shortcut("Picture", "Tell a pixel's values", "Point at it"),
         new Shortcut("Picture", "Tell a pixel's story", "Click"),

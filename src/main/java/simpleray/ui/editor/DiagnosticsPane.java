@@ -42,7 +42,7 @@ public final class DiagnosticsPane extends JTextPane {
     /**
      * Creates an empty pane.
      *
-     * @param follower told whose link was followed
+     * @param follower called with the problem whose link was followed
      */
     public DiagnosticsPane(Consumer<Diagnostic> follower) {
         this.follower = follower;

@@ -82,7 +82,7 @@ final class FindBar extends JPanel {
         return button;
     }
 
-    /** Shows the line, with what is selected in the text as what to find. */
+    /** Shows the line, with the selected text as the text to find. */
     void open() {
         String selected = area.getSelectedText();
         if (selected != null && selected.indexOf('\n') < 0) {
@@ -93,7 +93,7 @@ final class FindBar extends JPanel {
         field.requestFocusInWindow();
     }
 
-    /** Finds what was asked for last once more. */
+    /** Finds the same text again. */
     void again(boolean forward) {
         find(forward, forward ? area.getSelectionEnd() : area.getSelectionStart());
     }

@@ -74,7 +74,7 @@ final class SceneArea extends RSyntaxTextArea {
         }).toList();
     }
 
-    /** {@return where in the text a line and a column are, both counted from 1; of what is beyond, the nearest place} */
+    /** {@return the offset of a line and a column, both counted from 1; beyond the text, the nearest offset} */
     int offset(int line, int column) {
         try {
             if (line > getLineCount()) {
@@ -97,7 +97,7 @@ final class SceneArea extends RSyntaxTextArea {
         return end;
     }
 
-    /** Puts another text in place of this one so that carets and what is the same stay, and so that it can be undone. */
+    /** Replaces the text, except for an equal start and end, so that carets stay and it can be undone. */
     void replaceAll(String text) {
         String now = getText();
         int same = 0;

@@ -22,11 +22,11 @@ final class SceneDisk {
     private final Executor worker;
 
     /**
-     * What came of reading or writing. <em>Constant.</em>
+     * The result of reading or writing. <em>Constant.</em>
      *
-     * @param bytes what the file holds now; null if there is no file or it was not read
+     * @param bytes the bytes of the file now; null if there is no file or it was not read
      * @param failure why it could not be read or written; null if it was
-     * @param other whether nothing was written, because the file holds something else than was expected
+     * @param other whether nothing was written, because the file holds other bytes than expected
      */
     record Answer(byte[] bytes, String failure, boolean other) {
     }
@@ -55,14 +55,14 @@ final class SceneDisk {
     }
 
     /**
-     * Writes a text, if the file holds what it held before or is gone, or whatever it holds.
+     * Writes a text, if the file is as it was before or is gone, or whatever it holds.
      *
      * @param path the file
      * @param whatever whether it may hold anything
-     * @param before what it held; null if there was none
+     * @param before its bytes before; null if there was no file
      * @param maker makes the bytes
      * @param wrote called on the thread that writes, at once when the file is written
-     * @param then told what came of it
+     * @param then called with the result
      */
     void write(Path path, boolean whatever, byte[] before, Maker maker, Runnable wrote, Consumer<Answer> then) {
         worker.execute(() -> {

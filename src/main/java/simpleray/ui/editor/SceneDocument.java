@@ -14,7 +14,7 @@ import simpleray.ui.widget.KeyBindings;
 
 /**
  * The text of the window's scene between its file and the editor: reads it, renders it, writes it, and sees to it that nothing is lost
- * where the two differ. For the event thread, but for await.
+ * where the two differ. For the event thread.
  */
 public final class SceneDocument {
     private static final String CONFLICT = "conflict";
@@ -27,7 +27,7 @@ public final class SceneDocument {
     private boolean shown;
     private SceneText saved;                                  // as the file has it; null until it was read
     private byte[] bytes;                                     // the file's; null if there is none
-    private SceneDisk.Answer other;                           // what another program wrote while there are unsaved changes
+    private SceneDisk.Answer other;                           // the bytes that another program wrote while there are unsaved changes
     private boolean changed;
     private SceneSource own;                                  // of the text that was rendered without saving it
     private String ownText;
@@ -43,7 +43,7 @@ public final class SceneDocument {
     }
 
     /**
-     * Takes another scene; the text of the one before is let go.
+     * Takes another scene, and drops the text of the one before.
      *
      * @param opened the scene
      */
@@ -77,7 +77,7 @@ public final class SceneDocument {
         return editor;
     }
 
-    /** Shows the text or hides it; what was changed in it stays. */
+    /** Shows the text or hides it; its changes stay. */
     void toggle() {
         if (shown) {
             shown = false;
@@ -136,7 +136,7 @@ public final class SceneDocument {
         resolve();
     }
 
-    /** Does what is to be done when the scene's file, or a mesh of it, has changed. */
+    /** Renders the scene and updates the text after its file, or one of its meshes, has changed. */
     public void fileChanged() {
         if (!changed) {
             window.reload(source);
@@ -172,7 +172,7 @@ public final class SceneDocument {
         other = answer;
         Action reload = KeyBindings.action("Reload", null, () -> {
             take(other);
-            editor.area().replaceAll(saved.text());           // what is lost by this can be undone
+            editor.area().replaceAll(saved.text());           // can be undone
             refresh();
             window.reload(source);
         });
@@ -310,18 +310,18 @@ public final class SceneDocument {
         }
     }
 
-    /** Takes what is not saved for lost: nobody is asked about it any more. */
+    /** Gives up the changes that are not saved. */
     void forget() {
         changed = false;
     }
 
-    /** Shows the text and asks what to find in it. */
+    /** Shows the text and the line for finding something in it. */
     void find() {
         show(() -> editor.find());
     }
 
     /**
-     * Marks what a rendering found wrong, if its text is the one in the editor.
+     * Marks the problems that a rendering found, if its text is the one in the editor.
      *
      * @param job the rendering
      */
@@ -355,7 +355,7 @@ public final class SceneDocument {
         });
     }
 
-    /** {@return the problems of the text that are marked, for those who look from outside} */
+    /** {@return the problems that are marked in the text} */
     public List<String> marked() {
         return editor == null ? List.of() : editor.area().marked();
     }

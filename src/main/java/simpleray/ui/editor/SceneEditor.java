@@ -84,7 +84,7 @@ final class SceneEditor extends JPanel {
         area.requestFocusInWindow();
     }
 
-    /** Asks what to find. */
+    /** Shows the line for finding. */
     void find() {
         find.open();
     }

@@ -7,7 +7,7 @@ import javax.swing.JCheckBoxMenuItem;
 import javax.swing.JMenu;
 import simpleray.ui.widget.KeyBindings;
 
-/** What can be done with the scene's text, and with its problems. */
+/** The Scene menu: the scene's text and its problems. */
 public final class SceneMenu {
     private final JMenu menu = new JMenu("Scene");
     private final JCheckBoxMenuItem text;
@@ -49,7 +49,7 @@ public final class SceneMenu {
     }
 
     /**
-     * Enables what can be done now, and ticks what is shown.
+     * Enables the items that can be used now, and ticks the text if it is shown.
      *
      * @param opened whether there is a scene
      */

@@ -9,8 +9,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * A scene file's text as an editor has it, its lines separated by LF, with what is needed to write it as it was: encoding, byte order
- * mark, and each line's end. <em>Constant.</em>
+ * A scene file's text as an editor has it, its lines separated by LF, with the encoding, the byte order mark and the line ends
+ * to write it as it was. <em>Constant.</em>
  *
  * @param text the text
  * @param charset UTF-8, or ISO 8859-1 if the file is no UTF-8: that keeps any bytes as they are
@@ -51,7 +51,7 @@ record SceneText(String text, Charset charset, boolean marked, List<String> ends
     }
 
     /**
-     * Makes a file of an edited text. Lines above and below what was changed keep their ends; new ones get that of the first line.
+     * Makes a file of an edited text. Lines above and below the changes keep their ends; new ones get that of the first line.
      *
      * @param edited the text
      * @return the file's bytes

@@ -12,7 +12,7 @@ import simpleray.scene.SceneSettings;
 import simpleray.scene.ViewLines;
 import simpleray.text.SceneFormatException;
 
-/** A scene in a file, which remembers what the file was when it was read. Any thread may call. */
+/** A scene in a file; remembers the stamp of the file when it was read. Any thread may call. */
 public final class FileSource implements SceneSource {
     private final Path path;
     private final Reach reach;
@@ -51,10 +51,10 @@ public final class FileSource implements SceneSource {
     }
 
     /**
-     * Writes where the camera is into the file, and leaves all else of it as it is.
+     * Writes the place of the camera into the file, and leaves the rest as it is.
      *
      * @param view settings that say where the camera is
-     * @throws FileSystemException if the file is no longer what was read, is no scene, or cannot be written; the reason says which
+     * @throws FileSystemException if the file has changed since it was read, is no scene, or cannot be written; the reason says which
      * @throws IOException if it cannot be read or written
      */
     public synchronized void save(SceneSettings view) throws IOException {
@@ -73,7 +73,7 @@ public final class FileSource implements SceneSource {
         }
         FileStamp after = FileStamp.of(path);
         if (Arrays.equals(Files.readAllBytes(path), changed)) {
-            read = after;                                     // what was read, and what this changed of it
+            read = after;                                     // as read, with the change made here
         }
     }
 

@@ -56,7 +56,7 @@ public interface SceneSource {
     }
 
     /**
-     * Makes a source of a text that is not, or not yet, what stands in this source's file.
+     * Makes a source of a text that is not, or not yet, in this source's file.
      *
      * @param text the scene's text, UTF-8
      * @return the source, which may name the same OBJ files

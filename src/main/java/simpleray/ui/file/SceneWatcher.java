@@ -40,7 +40,7 @@ public final class SceneWatcher implements Closeable {
      * Notes how the file is now; {@link #start} begins to watch.
      *
      * @param scene the scene's file
-     * @param listener told on the event thread, not after {@link #close}; a deleted file that is back is a change
+     * @param listener called on the event thread, not after {@link #close}; a deleted file that is back is a change
      */
     public SceneWatcher(Path scene, Consumer<News> listener) {
         this.scene = scene;

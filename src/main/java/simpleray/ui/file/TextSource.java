@@ -7,7 +7,7 @@ import java.nio.file.Path;
 import simpleray.scene.Reach;
 import simpleray.scene.SceneFile;
 
-/** A scene's text in memory: what came by standard input, or what is not, or not yet, in the scene's file. Any thread may call. */
+/** A scene's text in memory: from standard input, or not, or not yet, in the scene's file. Any thread may call. */
 final class TextSource implements SceneSource {
     private final Path path;                                  // null for standard input
     private final byte[] text;

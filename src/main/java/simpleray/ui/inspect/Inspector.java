@@ -31,8 +31,8 @@ import simpleray.ui.widget.KeyBindings;
 import simpleray.ui.widget.Lazy;
 
 /**
- * Tells about single pixels: in the status bar of the one under the mouse, in a pane of the one that was clicked or that the pixel cursor
- * is on. What is to be traced for that is traced on a thread of its own. All methods are for the event thread, but for await.
+ * Explains single pixels: the one under the mouse in the status bar, the one that was clicked or that the pixel cursor is on in a pane. It
+ * traces them on a thread of its own. All methods are for the event thread.
  */
 public final class Inspector {
     private static final int DIVIDER = 6;

@@ -5,7 +5,7 @@ import simpleray.image.Picture;
 import simpleray.math.Colour;
 import simpleray.render.StoryText;
 
-/** What is told of a pixel without following a ray. */
+/** Describes a pixel without following a ray. */
 final class PixelLine {
     private PixelLine() {
     }

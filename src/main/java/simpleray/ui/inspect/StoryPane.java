@@ -23,7 +23,7 @@ import simpleray.render.StoryText;
 final class StoryPane extends JPanel {
     private static final long serialVersionUID = 1L;
     private static final int WIDTH = 400;
-    /** Lines above this level are open at first: down to what is hit and what each light adds. */
+    /** Lines above this level are open at first: down to the hit and the share of each light. */
     private static final int OPEN = 3;
 
     private final JLabel title = new JLabel(" ");

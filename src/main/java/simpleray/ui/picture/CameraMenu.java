@@ -23,7 +23,7 @@ import simpleray.ui.file.FileSource;
 import simpleray.ui.file.SceneSource;
 import simpleray.ui.widget.KeyBindings;
 
-/** The Camera menu: what the mouse does in steps, back to the scene's own camera, and taking the camera along. */
+/** The Camera menu: moves the camera in steps, goes back to the scene's own, copies and saves it. */
 public final class CameraMenu {
     private static final double STEP = 5;                     // degrees
     private static final double PIECE = 0.05;                 // of the picture's height
@@ -87,7 +87,7 @@ public final class CameraMenu {
         menu.add(action);
     }
 
-    /** Puts the lines that a scene file would have on the clipboard: a camera, or what no free camera shows. */
+    /** Puts the lines of a scene file on the clipboard: a camera, or window and centre of projection if no free camera shows the same. */
     private void copy() {
         SceneSettings view = tool.view();
         if (view == null) {

@@ -20,7 +20,7 @@ import simpleray.scene.SceneSettings;
 import simpleray.ui.file.SceneSource;
 
 /**
- * Moves the camera by mouse: the left button orbits round what is looked at, the middle one, or Space and the left one, pans, the wheel
+ * Moves the camera by mouse: the left button orbits round the pivot, the middle one, or Space and the left one, pans, the wheel
  * dollies. For the event thread.
  *
  * <p>Until it is moved, the camera is the scene's own, or the one asked for; then the free camera that shows the same takes its place
@@ -31,13 +31,13 @@ final class CameraTool extends MouseAdapter {
     private static final int DRAG = 4;
     /** Degrees for a pixel of a drag. */
     private static final double TURN = 0.5;
-    /** What a notch of the wheel leaves of the distance to the pivot. */
+    /** The share of the distance to the pivot that a notch of the wheel leaves. */
     private static final double NOTCH = 0.9;
 
     private final SimpleRay picture;
     private Orbit orbit;                                      // null while the camera was not moved
-    private SceneSettings home;                               // what was asked for before it was moved; null likewise
-    private boolean aimed;                                    // the pivot is what the middle of the picture shows
+    private SceneSettings home;                               // the settings asked for before it was moved; null likewise
+    private boolean aimed;                                    // the pivot is the point in the middle of the picture
     private Point last;                                       // of the mouse while a button is down; null for a button of others
     private boolean dragging;
     private boolean panning;
@@ -53,7 +53,7 @@ final class CameraTool extends MouseAdapter {
             public void keyPressed(KeyEvent e) {
                 if (e.getKeyCode() == KeyEvent.VK_SPACE) {
                     if (space) {
-                        e.consume();                          // held down, it repeats itself: once is enough for whoever else listens
+                        e.consume();                          // held down, it repeats itself: once is enough for other listeners
                     }
                     space = true;
                 }
@@ -67,7 +67,7 @@ final class CameraTool extends MouseAdapter {
         picture.addFocusListener(new FocusAdapter() {
             @Override
             public void focusLost(FocusEvent e) {
-                space = false;                                // whoever gets the keys hears of its release
+                space = false;                                // its release goes to another component
             }
         });
     }
@@ -83,7 +83,7 @@ final class CameraTool extends MouseAdapter {
         aimed = false;                                        // the middle shows something else now
     }
 
-    /** Goes nearer by so many notches of the wheel, or farther. */
+    /** Goes nearer by a number of notches of the wheel; negative for farther. */
     void dolly(double notches) {
         move(o -> o.dollied(Math.pow(NOTCH, notches)));
     }
@@ -96,9 +96,9 @@ final class CameraTool extends MouseAdapter {
     }
 
     /**
-     * Lets go of the moves: another scene comes, or the scene's own camera is what they led to.
+     * Forgets the moves: another scene comes, or they led to the scene's own camera.
      *
-     * @return whether there were some
+     * @return whether there were any
      */
     boolean forget() {
         boolean moved = home != null;
@@ -185,7 +185,7 @@ final class CameraTool extends MouseAdapter {
         dragging = false;
     }
 
-    /** On the screen, lest the picture scrolls or changes its size under the mouse. */
+    /** Measures on the screen: the picture may scroll or change its size under the mouse. */
     @Override
     public void mouseDragged(MouseEvent e) {
         Point now = e.getLocationOnScreen();

@@ -17,7 +17,7 @@ import javax.swing.SwingUtilities;
 import simpleray.render.Region;
 
 /**
- * The piece of a picture that is rendered first, or alone: drawn with the mouse while Shift is held, or typed; Esc clears it. All methods
+ * The region of a picture that is rendered first, or alone: drawn with the mouse while Shift is held, or typed; Esc clears it. All methods
  * are for the event thread.
  */
 public final class RegionTool extends MouseAdapter {
@@ -88,14 +88,14 @@ public final class RegionTool extends MouseAdapter {
         }
     }
 
-    /** Lets go of a region that a picture of this size does not have. */
+    /** Drops a region that a picture of this size does not have. */
     void fit(int width, int height) {
         if (region != null && !region.isWithin(width, height)) {
             region = null;
         }
     }
 
-    /** Asks for the numbers of a region, for those who have no mouse. */
+    /** Asks for the numbers of a region, for users without a mouse. */
     public void ask() {
         String was = region == null ? "" : region.toString();
         String now = (String) JOptionPane.showInputDialog(SwingUtilities.getWindowAncestor(picture),

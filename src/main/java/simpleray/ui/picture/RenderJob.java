@@ -56,11 +56,11 @@ public final class RenderJob {
         }
     }
 
-    /** A scene that was read, and what is made of it before its first ray. */
+    /** A scene that was read, and its structures. */
     private record LoadedScene(SceneFile file, PreparedScene prepared) {
     }
 
-    /** What renders the scene, since when, and what it was asked for; renderer and image are null once they are let go. */
+    /** The renderer, its request and its start; renderer and image are null once they are dropped. */
     private record Run(Renderer renderer, ProgressiveImage image, Progress progress, SceneSettings settings, Region region, boolean alone,
                        long begun) {
     }
@@ -107,7 +107,7 @@ public final class RenderJob {
             return run == null || run.renderer == null ? null : run.renderer.picture();
         }
 
-        /** {@return what explains the picture's pixels; null before rendering has begun} It may have to be made: not for the event thread. */
+        /** {@return what explains the picture's pixels; null before rendering has begun} May take long: not for the event thread. */
         public Explainer explainer() {
             return run == null || run.renderer == null ? null : run.renderer.explainer();
         }
@@ -166,7 +166,7 @@ public final class RenderJob {
         thread.setDaemon(true);
     }
 
-    /** Sets what is done once the picture is there in coarse blocks, on some thread; before the start. */
+    /** Sets the task for the moment when the picture is there in coarse blocks; some thread runs it. Call before the start. */
     void whenCoarse(Runnable task) {
         runs.whenCoarse(task);
     }
@@ -233,7 +233,7 @@ public final class RenderJob {
         return runs;
     }
 
-    /** {@return all that is known now} Who asks twice may get two answers: ask once for what belongs together. */
+    /** {@return all that is known now} Two calls may give two answers: take one for things that belong together. */
     public Snapshot snapshot() {
         return latest.get();
     }
@@ -243,7 +243,7 @@ public final class RenderJob {
         return snapshot().state;
     }
 
-    /** Lets go of all but the scene, after it was cancelled. */
+    /** Drops all but the scene, after it was cancelled. */
     void forget() {
         latest.updateAndGet(now -> new Snapshot(now.state, now.loaded, now.run == null ? null : new Run(null, null, now.run.progress,
             now.run.settings, now.run.region, now.run.alone, now.run.begun), now.findings, now.failure, now.took));
@@ -274,7 +274,7 @@ public final class RenderJob {
         latest.updateAndGet(now -> new Snapshot(state, now.loaded, now.run, findings, failure, took));
     }
 
-    /** Reads the scene; or takes that of the rendering before, when that has let go of it. */
+    /** Reads the scene; or takes that of the rendering before, when that has ended. */
     private LoadedScene load() throws IOException {
         RenderJob last = before;
         before = null;                                        // else each would keep all before it

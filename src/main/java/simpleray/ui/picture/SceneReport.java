@@ -11,10 +11,10 @@ import simpleray.text.Diagnostic;
 import simpleray.text.SceneFormatException;
 
 /**
- * What was found wrong with a scene. <em>Constant.</em>
+ * The problems of a scene. <em>Constant.</em>
  *
  * @param text the whole report; empty for nothing
- * @param places what of it has a place; each stands as it is in the text
+ * @param places the problems with a place; each is part of the text
  */
 public record SceneReport(String text, List<Diagnostic> places) {
     /** Nothing is wrong. */
@@ -25,7 +25,7 @@ public record SceneReport(String text, List<Diagnostic> places) {
         return new SceneReport(problems.stream().map(Diagnostic::toString).collect(Collectors.joining("\n")), problems);
     }
 
-    /** {@return the warnings about a scene, and what is odd about its picture} Follows rays: not for the event thread. */
+    /** {@return the warnings about a scene and about its picture} Follows rays: not for the event thread. */
     static SceneReport ofWhole(SceneFile scene, String name) {
         return of(Stream.concat(scene.warnings().stream(), SceneLint.striking(scene, name).stream()).toList());
     }

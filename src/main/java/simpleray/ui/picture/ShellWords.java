@@ -6,7 +6,7 @@ import java.util.stream.Collectors;
 
 /** Words as a shell must be given them, so that each comes out as it is. */
 final class ShellWords {
-    /** What no shell takes for anything else. */
+    /** Words that no shell interprets. */
     private static final Pattern PLAIN = Pattern.compile("[\\p{L}\\p{N}_./:,+-][\\p{L}\\p{N}_./:,+=-]*");
     private static final Pattern PLAIN_WINDOWS = Pattern.compile("[\\p{L}\\p{N}_./:\\\\+-]+");
 

@@ -18,16 +18,16 @@ import simpleray.ui.file.SceneSource;
 
 /**
  * The framework for the ray tracing (thesis, chapter 5), a Swing component in place of the applet: it renders on a thread of its own,
- * and a timer, the thesis's "kicker", repaints what has been finished, so that the user is kept aware of how far it is. All methods
+ * and a timer, the thesis's "kicker", repaints the finished pixels, so that the user sees how far it is. All methods
  * are for the event thread.
  */
 public final class SimpleRay extends ZoomedComponent implements Runnable {
     private static final long serialVersionUID = 1L;
     private static final int KICK = 20;                       // milliseconds between two looks for finished runs
     private static final long MAX_WORK = 8_000_000;          // nanoseconds that one look may take
-    /** Until the coarse picture is whole it waits so long before it shows a part of it, in nanoseconds: whole it comes without flicker. */
+    /** The longest wait for the whole coarse picture before a part of it is shown, in nanoseconds: whole it comes without flicker. */
     private static final long HOLD = 120_000_000;
-    /** What is asked for anew may wait so long for the picture before to be shown, in nanoseconds. */
+    /** The longest that a new request waits until the picture before is shown, in nanoseconds. */
     private static final long MAX_WAIT = 250_000_000;
     private static final Color SURROUND = new Color(0x3C3F41);
 
@@ -39,7 +39,7 @@ public final class SimpleRay extends ZoomedComponent implements Runnable {
     private transient RenderJob job;
     private transient RenderJob read;                         // the last one that has read the scene
     private transient boolean again;                          // another one is to follow as soon as this one is shown
-    private transient boolean kept;                           // what is shown stays until this one's runs come over it
+    private transient boolean kept;                           // the old image stays until this one's runs come over it
     private final transient RegionTool regions = new RegionTool(this);
     private transient Picture whole;                          // the picture that is shown, once all its rows are
     private transient boolean shown;                          // a run of this rendering is in the image
@@ -79,7 +79,7 @@ public final class SimpleRay extends ZoomedComponent implements Runnable {
         repaint();
     }
 
-    /** Starts to render anew; what is still being rendered is cancelled. The picture before it stays until there is something to show. */
+    /** Starts to render anew, and cancels the rendering before. The picture before stays until there is something to show. */
     public void start() {
         begin(new RenderJob(source, request, regions.region(), regions.isAlone()), false);
     }
@@ -138,7 +138,7 @@ public final class SimpleRay extends ZoomedComponent implements Runnable {
         listener.run();
     }
 
-    /** Cancels what is being rendered. Its threads end soon; this does not wait for them. */
+    /** Cancels the rendering. Its threads end soon; this does not wait for them. */
     public void stop() {
         again = false;
         if (job != null) {
@@ -147,7 +147,7 @@ public final class SimpleRay extends ZoomedComponent implements Runnable {
     }
 
     /**
-     * Holds what is being rendered, or lets it go on.
+     * Holds the rendering, or lets it go on.
      *
      * @param hold whether to hold it
      */
@@ -158,12 +158,12 @@ public final class SimpleRay extends ZoomedComponent implements Runnable {
         }
     }
 
-    /** {@return whether what is being rendered is held} */
+    /** {@return whether the rendering is held} */
     public boolean isPaused() {
         return job != null && job.isPaused();
     }
 
-    /** Called by the "kicker": shows what was finished since, for a short time at most, and tells the listener. */
+    /** Called by the "kicker": shows the runs that were finished since, for a short time at most, and calls the listener. */
     @Override
     public void run() {
         RenderJob.Snapshot now = job.snapshot();              // asked first: if it has ended, no run comes after the last one seen
@@ -196,7 +196,7 @@ public final class SimpleRay extends ZoomedComponent implements Runnable {
         }
     }
 
-    /** Where nothing but the region is another, the picture that is there already holds what comes. */
+    /** If only the region is another, the runs go into the image that is there already. */
     private void showFirst() {
         RenderJob.Snapshot now = job.snapshot();              // with an image, since there are runs
         ProgressiveImage next = now.image();
@@ -243,9 +243,9 @@ public final class SimpleRay extends ZoomedComponent implements Runnable {
     }
 
     /**
-     * Sets what is painted over the picture.
+     * Sets a painter of marks over the picture.
      *
-     * @param other paints it
+     * @param other the painter
      */
     public void setMark(Consumer<Graphics2D> other) {
         mark = other;
@@ -271,7 +271,7 @@ public final class SimpleRay extends ZoomedComponent implements Runnable {
     }
 
     /**
-     * Sets what the next rendering is asked for beside the scene file.
+     * Sets the request of the next rendering.
      *
      * @param other the request
      */
@@ -279,13 +279,13 @@ public final class SimpleRay extends ZoomedComponent implements Runnable {
         request = other;
     }
 
-    /** {@return what is asked for beside the scene file} */
+    /** {@return the request of the next rendering} */
     public RenderRequest request() {
         return request;
     }
 
     /**
-     * Sets what is painted over the picture, of its size; null for nothing.
+     * Sets an image that is painted over the picture, of its size.
      *
      * @param other the image; null for nothing
      */
@@ -320,7 +320,7 @@ public final class SimpleRay extends ZoomedComponent implements Runnable {
         return whole;
     }
 
-    /** {@return what is shown, pixel for pixel; pixels that were not painted are transparent} Not to be changed. */
+    /** {@return the image that is shown; pixels that were not painted are transparent} Not to be changed. */
     BufferedImage painted() {
         return image;
     }

@@ -11,8 +11,8 @@ import java.awt.image.BufferedImage;
 /**
  * How large a picture is shown: at a scale, or as large as fits into the window. <em>Constant.</em>
  *
- * <p>At 100 % a pixel of the picture is a pixel of the screen, also where the desktop shows all else larger (uiScale): of what was
- * rendered nothing is smoothed or doubled.
+ * <p>At 100 % a pixel of the picture is a pixel of the screen, also where the desktop shows everything else larger (uiScale): no
+ * rendered pixel is smoothed or doubled.
  *
  * @param fitted whether it is as large as fits
  * @param scale screen pixels for a pixel of the picture, unless it is fitted

@@ -67,8 +67,8 @@ abstract class ZoomedComponent extends DrawnComponent implements Scrollable {
     /**
      * Shows the picture at another scale.
      *
-     * @param about a point of the component: what the picture shows there stays there, unless its edge would come into the window;
-     *     null for the middle of the window
+     * @param about the point of the component where the picture stays, unless its edge would come into the window; null for the middle of
+     *     the window
      */
     public final void setZoom(Zoom other, Point about) {
         Zoom before = zoom;

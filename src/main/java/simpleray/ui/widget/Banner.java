@@ -14,7 +14,7 @@ import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 
-/** Notices across the top of a window that stay until what they tell of is over, each perhaps with something to do about it. */
+/** Notices across the top of a window that stay until their reason is over, each perhaps with buttons. */
 public final class Banner extends JPanel {
     private static final long serialVersionUID = 1L;
 
@@ -61,7 +61,7 @@ public final class Banner extends JPanel {
     }
 
     /**
-     * {@return what is said about something; null if nothing is}
+     * {@return the message about something; null for none}
      *
      * @param about what it is about
      */

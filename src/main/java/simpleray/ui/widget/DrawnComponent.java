@@ -4,7 +4,7 @@ import javax.accessibility.AccessibleContext;
 import javax.accessibility.AccessibleRole;
 import javax.swing.JComponent;
 
-/** A component that draws itself, with a name for those who cannot see it. */
+/** A component that draws itself, with a name for screen readers. */
 public abstract class DrawnComponent extends JComponent {
     private static final long serialVersionUID = 1L;
 

@@ -40,7 +40,7 @@ public enum Look {
     }
 
     /**
-     * {@return whether a component is one of a dark look, where what is written is light}
+     * {@return whether a component has a dark look, with light text}
      *
      * @param component the component
      */

@@ -11,7 +11,7 @@ import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import javax.swing.Icon;
 
-/** A mark beside what deserves a look: a triangle for a warning, a disc for an error; drawn, so that it is crisp at any scale. */
+/** A triangle for a warning, a disc for an error; drawn, so that it is crisp at any scale. */
 public final class WarningIcon implements Icon {
     private static final Color AMBER = new Color(0xD99A00);
     private static final Color RED = new Color(0xD03A36);
