@@ -11,10 +11,10 @@ public final class LightBuffer {
     /** The number of primitives in the sample that estimates the length of the lists. */
     private static final int SAMPLE = 4096;
     /** Cells per primitive, the fewest and the most cells; list entries per primitive, and the number that is always allowed. */
-    private static final double CELLS_A_PRIMITIVE = 1;
+    private static final double CELLS_PER_PRIMITIVE = 1;
     private static final int MIN_CELLS = 6000;
     private static final int MAX_CELLS = 6 << 20;
-    private static final long LISTED_A_PRIMITIVE = 6;
+    private static final long LISTED_PER_PRIMITIVE = 6;
     private static final long LISTED_ANYWAY = 1 << 18;
     /** Longer lists are no faster than a tree, since they fit into no cache. */
     private static final long MAX_LISTED = 1 << 22;
@@ -119,7 +119,7 @@ public final class LightBuffer {
 
         LightBuffer build() {
             int n = bounds.count();
-            long most = Math.min(LISTED_A_PRIMITIVE * n + LISTED_ANYWAY, MAX_LISTED);
+            long most = Math.min(LISTED_PER_PRIMITIVE * n + LISTED_ANYWAY, MAX_LISTED);
             openWindows();
             if (!divide(n, most)) {
                 return null;
@@ -163,7 +163,7 @@ public final class LightBuffer {
         /** Divides the cube into so few cells that lists are short, as a sample estimates. {@return whether they are} */
         private boolean divide(int n, long most) {
             int step = 1 + n / SAMPLE;
-            for (double cells = Math.min(MAX_CELLS, MIN_CELLS + CELLS_A_PRIMITIVE * n); cells >= MIN_CELLS; cells /= 2) {
+            for (double cells = Math.min(MAX_CELLS, MIN_CELLS + CELLS_PER_PRIMITIVE * n); cells >= MIN_CELLS; cells /= 2) {
                 cube.divide(cells);
                 long listed = 0;
                 for (int i = 0; i < n; i += step) {

@@ -11,15 +11,15 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Supplier;
 
 /**
- * The threads that compile a scene: the one that creates the pool, and others that help it. <em>Mutable</em>: tasks may begin and await others.
+ * The threads that compile a scene: the one that creates the pool, and others that help it. <em>Mutable</em>: that thread and its tasks may begin
+ * and await tasks.
  *
- * <p>A thread that awaits a task runs it, unless another thread already does, and a task that ends allocates nothing. So nothing waits for ever
- * when memory runs out and threads die of it
- * (docs/decisions/0016-threads-that-end-without-memory.md says why this is no ForkJoinPool).
+ * <p>A thread that awaits a task runs it, unless another thread already does, and the end of a task allocates nothing. So no thread waits for ever
+ * if memory runs out and others die of it; docs/decisions/0016-threads-that-end-without-memory.md says why this is no ForkJoinPool.
  */
 public final class Pool implements AutoCloseable {
     private static final int MAX_THREADS = 64;
-    /** The number of things that are worth a task of their own. */
+    /** The number of items that are worth a task of their own. */
     private static final int TASK = 1 << 15;
     /** How long to wait for tasks whose results nobody wants any more, in seconds. */
     private static final int PATIENCE = 2;
@@ -36,12 +36,12 @@ public final class Pool implements AutoCloseable {
         helpers = Math.min(threads, MAX_THREADS) - 1;
     }
 
-    /** Processes the things from one number to before another. */
+    /** Processes the items from one number to before another. */
     interface Work {
         void on(int from, int to);
     }
 
-    /** Processes the things 0 to count - 1, in one or more parts at a time. */
+    /** Processes the items 0 to count - 1, in parts that several threads share. */
     void ranges(int count, Work work) {
         List<Task<Work>> tasks = new ArrayList<>();
         for (int from = TASK; from < count; from += TASK) {
@@ -66,7 +66,7 @@ public final class Pool implements AutoCloseable {
      * Begins a task that is to be {@linkplain #await awaited}.
      *
      * @param <T> the type of its result
-     * @param making computes the result, on one of the threads
+     * @param making computes the result, on any of the threads
      * @return the task
      */
     public <T> Task<T> begin(Supplier<T> making) {
@@ -95,7 +95,7 @@ public final class Pool implements AutoCloseable {
      *
      * @param <T> the type of the result
      * @param task the task
-     * @return the result; what the task has thrown is thrown here
+     * @return the result; if the task has thrown an exception, it is thrown here
      */
     public <T> T await(Task<T> task) {
         for (Runnable next = task; next != null && !task.hasEnded(); next = threads == null ? null : threads.getQueue().poll()) {
@@ -104,7 +104,7 @@ public final class Pool implements AutoCloseable {
         return task.result();
     }
 
-    /** Ends the threads. If a task has failed, others may have to give back their memory first. */
+    /** Ends the threads, and waits for those that are at work: if a task has failed, the memory of others is free afterwards. */
     @Override
     public void close() {
         if (threads == null) {
@@ -168,7 +168,7 @@ public final class Pool implements AutoCloseable {
         }
     }
 
-    /** Makes threads that die without a trace. */
+    /** Creates threads that print nothing if they die. */
     private static final class Helpers implements ThreadFactory, Thread.UncaughtExceptionHandler {
         @Override
         public Thread newThread(Runnable work) {

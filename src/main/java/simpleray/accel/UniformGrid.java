@@ -9,13 +9,13 @@ import java.util.concurrent.atomic.AtomicLong;
  */
 public final class UniformGrid {
     /** Cells per primitive. */
-    private static final double CELLS_AN_OBJECT = 4;
-    private static final int MAX_CELLS_A_SIDE = 1024;
+    private static final double CELLS_PER_OBJECT = 4;
+    private static final int MAX_CELLS_PER_SIDE = 1024;
     /** An axis along which all objects together are thinner than this share of the longest counts as that thick. */
     private static final double MIN_THICKNESS = 1e-4;
-    private static final long LISTED_AN_OBJECT = 24;
+    private static final long LISTED_PER_OBJECT = 24;
     private static final long LISTED_ANYWAY = 1 << 12;
-    /** How many objects may have their middles in the cell of an object, itself among them, on the average. */
+    /** The largest mean number of objects with their middles in the cell of an object, itself included. */
     private static final double MAX_IN_CELL = 4;
 
     /** The middle of all boxes. */
@@ -50,7 +50,7 @@ public final class UniformGrid {
      * Starts a grid; {@link #fill} completes it.
      *
      * @param bounds the boxes, which are reordered so that neighbours are near each other
-     * @param anyway whether a grid is wanted even if it is of no use
+     * @param anyway whether to build a grid even if it is of no use
      * @param pool the threads to build it
      * @return the grid; null if the boxes are not spread evenly, so that a grid is of no use
      */
@@ -67,9 +67,9 @@ public final class UniformGrid {
             half[axis] = Math.max(half[axis], Math.abs(bounds.sides[i]));
         }
         double volume = 8 * half[0] * half[1] * half[2];
-        double wanted = Math.cbrt(volume / (CELLS_AN_OBJECT * bounds.count()));
+        double wanted = Math.cbrt(volume / (CELLS_PER_OBJECT * bounds.count()));
         for (int axis = 0; axis < 3; axis++) {
-            cells[axis] = (int) Math.max(1, Math.min(MAX_CELLS_A_SIDE, Math.rint(2 * half[axis] / wanted)));
+            cells[axis] = (int) Math.max(1, Math.min(MAX_CELLS_PER_SIDE, Math.rint(2 * half[axis] / wanted)));
             size[axis] = 2 * half[axis] / cells[axis];
         }
     }
@@ -118,7 +118,7 @@ public final class UniformGrid {
             crowd += (double) ends[i] * ends[i];
             ends[i] += ends[i - 1];
         }
-        if (!anyway && (listed.get() > LISTED_AN_OBJECT * n + LISTED_ANYWAY || crowd > MAX_IN_CELL * n)) {
+        if (!anyway && (listed.get() > LISTED_PER_OBJECT * n + LISTED_ANYWAY || crowd > MAX_IN_CELL * n)) {
             return false;
         }
         int[] order = new int[n];

@@ -15,7 +15,7 @@ final class AdaptiveSampler implements Sampler {
     private static final double SAME = 24.0 / 255;
     /** The number of rows whose first points are kept: more than threads that work side by side need. Others are traced again. */
     private static final int ROWS = 8;
-    private static final int ROWS_A_THREAD = 2;
+    private static final int ROWS_PER_THREAD = 2;
     private static final int NONE = -1;
 
     private final Tracer tracer;
@@ -39,7 +39,7 @@ final class AdaptiveSampler implements Sampler {
      * @return an empty store, in which a row's place is its number modulo the length
      */
     static AtomicReferenceArray<Row> rows(int height, int threads) {
-        return new AtomicReferenceArray<>(Math.min(height, ROWS_A_THREAD * threads + ROWS));
+        return new AtomicReferenceArray<>(Math.min(height, ROWS_PER_THREAD * threads + ROWS));
     }
 
     /** Creates a sampler for a region of a picture and the pixels around it. */

@@ -10,7 +10,7 @@ import java.util.concurrent.atomic.AtomicInteger;
  */
 final class ScanlineQueue {
     private static final int MAX_AHEAD = 256;
-    private static final int MAX_AHEAD_A_THREAD = 4;
+    private static final int MAX_AHEAD_PER_THREAD = 4;
 
     private final int height;
     private final int ahead;
@@ -28,7 +28,7 @@ final class ScanlineQueue {
 
     /** {@return the most rows that are begun, counted from the first unfinished one} */
     static int ahead(int threads) {
-        return Math.max(MAX_AHEAD, MAX_AHEAD_A_THREAD * threads);
+        return Math.max(MAX_AHEAD, MAX_AHEAD_PER_THREAD * threads);
     }
 
     /** {@return the next row to be rendered; -1 if there is none left} Waits while a row far above is unfinished. */

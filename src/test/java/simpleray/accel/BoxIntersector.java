@@ -1,8 +1,8 @@
 package simpleray.accel;
 
 /**
- * A ray among boxes: it hits one where it enters, or where it starts if that is inside; of two at the same t the one with the lower number.
- * Knows which boxes it was shown.
+ * Intersects a ray with boxes: it hits a box where it enters, or at its origin if that is inside; of two at the same t, that with the lower number.
+ * Records which boxes a traversal tests.
  */
 final class BoxIntersector implements PrimitiveIntersector {
     /** No box. */
@@ -10,29 +10,29 @@ final class BoxIntersector implements PrimitiveIntersector {
 
     /** t of the nearest hit so far. */
     double t;
-    /** The box that is hit there; {@link #NONE} if none is. */
+    /** The box of the nearest hit; {@link #NONE} if there is none. */
     int id = NONE;
-    /** How many boxes it was shown. */
+    /** The number of boxes that were tested. */
     long tests;
 
     private final double[][] boxes;
     private final int[] ids;
     private double[] ray;
 
-    /** Creates one for boxes that stand in the order of ids. */
+    /** Creates an intersector for boxes in the order of ids. */
     BoxIntersector(double[][] boxes, int[] ids) {
         this.boxes = boxes;
         this.ids = ids;
     }
 
-    /** Begins with a ray, its origin and its direction; what is farther than a limit is no hit. */
+    /** Starts with a ray, its origin and its direction; hits beyond a limit do not count. */
     void start(double[] newRay, double limit) {
         ray = newRay;
         t = limit;
         id = NONE;
     }
 
-    /** Finds by a look at each box what {@link #closest} is to find. */
+    /** Finds the nearest hit by testing each box. */
     void closestOfAll() {
         closest(null, 0, boxes.length);
     }

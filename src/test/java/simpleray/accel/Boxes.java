@@ -35,7 +35,7 @@ final class Boxes {
         return boxes;
     }
 
-    /** {@return such boxes, of which every fourth stands where the one before it does} */
+    /** {@return such boxes, of which every fourth equals the one before it} */
     static double[][] withTwins(Random random, int count, double size) {
         double[][] boxes = random(random, count, size);
         for (int i = 3; i < count; i += 4) {
@@ -44,7 +44,7 @@ final class Boxes {
         return boxes;
     }
 
-    /** {@return where a ray enters a box; 0 if it starts inside or on a side, less if it misses} */
+    /** {@return t of a ray's entry into a box; 0 if it starts inside or on a side, negative if it misses} */
     static double entry(double[] box, double[] ray) {
         double near = 0;
         double far = Double.POSITIVE_INFINITY;
@@ -65,7 +65,7 @@ final class Boxes {
         return near <= far ? near : MISS;
     }
 
-    /** {@return a ray of many kinds}: along an axis or not, from inside, a side, near or far away, past the boxes or towards one. */
+    /** {@return a random ray}: along an axis or not, from inside, a side, near or far away, past the boxes or towards one. */
     static double[] ray(Random random, double[][] boxes) {
         double[] box = boxes[random.nextInt(boxes.length)];
         double[] ray = new double[6];

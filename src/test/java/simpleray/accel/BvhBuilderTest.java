@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** The boxes of a tree, held against boxes and costs that are found anew from its primitives. */
+/** Compares the boxes and splits of a tree with those computed from its primitives. */
 class BvhBuilderTest {
     private static final long SEED = 2007;
     private static final int BINS = 16;
@@ -20,7 +20,7 @@ class BvhBuilderTest {
     private static final int FEW_BINS = 8;
     private static final int MAX_LEAF = 8;
     private static final double VISIT = 1;
-    /** Costs are found in floats, by other sums in another order. */
+    /** The builder computes costs in floats, and adds them in another order. */
     private static final Offset<Double> ROUNDING = within(1e-4);
 
     private PrimitiveBounds bounds;
@@ -37,7 +37,7 @@ class BvhBuilderTest {
 
     @ParameterizedTest
     @ValueSource(doubles = {0.01, 0.3, 2})
-    void eachBoxIsCutWhereThatIsCheapestOrNotAtAll(double size) {
+    void eachNodeIsSplitAtTheLowestCostOrIsALeaf(double size) {
         Random random = new Random(SEED);
         for (int count : new int[] {2, 3, 5, 8, 9, 20, 100}) {
             for (int i = 0; i < 20; i++) {
@@ -51,7 +51,7 @@ class BvhBuilderTest {
 
     @ParameterizedTest
     @ValueSource(ints = {0, 1, 2})
-    void twoHeapsFarApartComeIntoTwoBoxes(int axis) {
+    void twoClustersFarApartBecomeTwoChildren(int axis) {
         double[] places = {100, 1, 101, 0, 102, 2, 100.5};
         build(1, IntStream.range(0, places.length).mapToObj(i -> cubeAt(axis, places[i])).toArray(double[][]::new));
 
@@ -76,7 +76,7 @@ class BvhBuilderTest {
 
     @ParameterizedTest
     @ValueSource(ints = {2, 8, 9, 17, 100})
-    void boxesInOnePlaceAreHalvedUntilTheyAreFew(int count) {
+    void boxesInOnePlaceAreHalvedDownToSmallLeaves(int count) {
         double[][] boxes = new double[count][];
         Arrays.fill(boxes, cubeAt(0, 3));
         build(1, boxes);
@@ -87,7 +87,7 @@ class BvhBuilderTest {
 
     /** Boxes of one middle, each half as large as the one before. */
     @Test
-    void boxesWithinBoxesAreHalvedToo() {
+    void nestedBoxesAreHalved() {
         double[][] boxes = new double[500][];
         for (int i = 0; i < boxes.length; i++) {
             double half = Math.scalb(1.0, -i);
@@ -99,7 +99,7 @@ class BvhBuilderTest {
         assertThat(deepest).isLessThanOrEqualTo(Bvh.MAX_DEPTH);
     }
 
-    /** Each is as far from the next as all those after it are from each other, so that each cut takes few away. */
+    /** Each box is as far from the next as all those after it are from each other, so that each split separates few. */
     @ParameterizedTest
     @ValueSource(doubles = {1, 1e-30, 1e30})
     void boxesAtExponentialDistancesMakeATreeOfBoundedDepth(double scale) {
@@ -238,7 +238,7 @@ class BvhBuilderTest {
         return end - first;
     }
 
-    /** {@return what a cut between two of the bins along the longest axis costs at least, as the surface area heuristic has it} */
+    /** {@return the lowest cost, by the surface area heuristic, of a split between two bins along the longest axis} */
     private double cheapestCut(int first, int end) {
         double least = Double.POSITIVE_INFINITY;
         int axis = 0;

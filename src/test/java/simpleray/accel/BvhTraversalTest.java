@@ -54,7 +54,7 @@ class BvhTraversalTest extends TraversalTest {
 
     @ParameterizedTest
     @CsvSource({"1e-30, 0", "1e30, 0", "1, 1e6", "1e-3, 1e5", "1e-100, 1e-95"})
-    void norDoTheScaleAndTheDistanceFromTheOrigin(double scale, double away) {
+    void theScaleAndTheDistanceFromTheOriginDoNotMatter(double scale, double away) {
         Random random = new Random(SEED);
         double[][] unit = Boxes.withTwins(random, 200, 0.5);
         double[][] moved = new double[unit.length][6];
@@ -76,10 +76,10 @@ class BvhTraversalTest extends TraversalTest {
         assertThat(hits).isGreaterThan(500);
     }
 
-    /** Components of a direction beside which another is 1e300 times as large. */
+    /** Components of a direction that are as little as 1e-300 of another. */
     @ParameterizedTest
     @ValueSource(doubles = {1e-18, 1e-21, 1e-40, 1e-310, Double.MIN_VALUE})
-    void aDirectionMayHaveATinyComponent(double tiny) {
+    void tinyComponentsOfADirectionDoNoHarm(double tiny) {
         build(BOX, new double[] {-4, -4, -4, -3, -3, -3});
         for (double sign : new double[] {1, -1}) {
             assertThat(compared(new double[] {1.5, 3, 0, sign * tiny, -sign * tiny, 1}, "inside")).isTrue();
@@ -120,7 +120,7 @@ class BvhTraversalTest extends TraversalTest {
     }
 
     @Test
-    void ofTwoBoxesInOnePlaceBothAreShown() {
+    void twoBoxesInOnePlaceAreBothTested() {
         build(BOX, BOX.clone(), BOX.clone());
         closest(new double[] {0, 3, 4, 1, 0, 0}, INFINITY);
 
@@ -128,9 +128,9 @@ class BvhTraversalTest extends TraversalTest {
         assertThat(walked.id).isZero();
     }
 
-    /** A hit at the limit itself is shown: it may be of something that is listed earlier. */
+    /** A hit at the limit itself counts: its object may come earlier in the scene. */
     @Test
-    void whatLiesBeyondTheLimitIsNotShown() {
+    void primitivesBeyondTheLimitAreNotTested() {
         build(BOX, new double[] {-9, 3, 4, -8, 5, 6});
         double[] ray = {0, 3, 4, 1, 0, 0};
 
@@ -147,7 +147,7 @@ class BvhTraversalTest extends TraversalTest {
 
     @ParameterizedTest
     @ValueSource(doubles = {1e5, 1e7, 1e9, 1e15})
-    void aRayFromFarAwayHitsOrPassesBy(double far) {
+    void aRayFromFarAwayHitsOrMisses(double far) {
         build(BOX, new double[] {-2, -4, -6, -1, -2, -3});
         assertThat(compared(new double[] {-far, 3, 4, 1, 0, 0}, "towards the box")).isTrue();
         for (double[] ray : new double[][] {{-far, 3, 4, -1, 0, 0}, {-far, 3, 40_000 + far / 1e5, 1, 0, 0}}) {
@@ -159,9 +159,9 @@ class BvhTraversalTest extends TraversalTest {
         }
     }
 
-    /** What is no number hits nothing, and does no harm. */
+    /** A ray with NaN hits nothing, and does no harm. */
     @Test
-    void aRayFromNowhereShowsAll() {
+    void aRayWithoutNumbersTestsAll() {
         build(BOX, new double[] {-9, -9, -9, -8, -8, -8});
         closest(new double[] {Double.NaN, 3, 4, 1, 0, 0}, INFINITY);
 
@@ -169,7 +169,7 @@ class BvhTraversalTest extends TraversalTest {
     }
 
     @Test
-    void mostBoxesAreNotShown() {
+    void mostBoxesAreNotTested() {
         Random random = new Random(SEED);
         build(Boxes.random(random, 4000, 0.1));
         for (int i = 0; i < 1000; i++) {
@@ -181,7 +181,7 @@ class BvhTraversalTest extends TraversalTest {
         assertThat(traversal.steps / 1000).as("nodes a ray").isBetween(5L, 60L);
     }
 
-    /** Knows which leaves are shown, and lets all through. */
+    /** Records the leaves that are tested, and hits nothing. */
     private static final class Leaves implements PrimitiveIntersector {
         final List<Integer> shown = new ArrayList<>();
         boolean all;
@@ -202,9 +202,9 @@ class BvhTraversalTest extends TraversalTest {
         }
     }
 
-    /** What is not entered before the limit is not shown; leaves that the ray all but enters may be. */
+    /** Leaves that the ray enters only beyond the limit are not tested; leaves that it barely misses may be. */
     @Test
-    void theLeavesShownAreThoseThatTheRayEntersBeforeTheLimit() {
+    void theTestedLeavesAreThoseThatTheRayEntersBeforeTheLimit() {
         Random random = new Random(SEED);
         build(Boxes.random(random, 400, 0.3));
         Leaves leaves = new Leaves();
@@ -225,7 +225,7 @@ class BvhTraversalTest extends TraversalTest {
                 } else {
                     traversal.closest(bvh, ray[0], ray[1], ray[2], ray[3], ray[4], ray[5], limit);
                 }
-                if (!leaves.all) {                            // from farther away all are shown at once
+                if (!leaves.all) {                            // from farther away all are tested at once
                     assertThat(leaves.shown).as("seed " + SEED + ", ray " + i).doesNotHaveDuplicates().containsAll(all).isSubsetOf(almost);
                     assertThat(traversal.steps - steps).isBetween(all.isEmpty() ? 0L : nodesEntered(0, ray, limit, -1e-5),
                         (long) nodesEntered(0, ray, limit, 1e-5));
@@ -250,7 +250,7 @@ class BvhTraversalTest extends TraversalTest {
         return leaves;
     }
 
-    /** {@return how many nodes there are from this one down whose boxes a ray enters} */
+    /** {@return the number of nodes from this one down whose boxes a ray enters} */
     private int nodesEntered(int node, double[] ray, double limit, double larger) {
         int count = 1;
         for (int i = 0; i < 2; i++) {
@@ -273,7 +273,7 @@ class BvhTraversalTest extends TraversalTest {
 
     /** Of two leaves far apart, eight boxes in each. */
     @Test
-    void theNearerChildIsShownFirstAndTheOtherOnlyIfItIsNearEnough() {
+    void theNearerChildIsTestedFirstAndTheOtherOnlyIfItIsNearEnough() {
         double[][] heaps = new double[16][];
         for (int i = 0; i < 16; i++) {
             heaps[i] = new double[] {i < 8 ? 0 : 100, 0, 0, i < 8 ? 1 : 101, 1, 1};

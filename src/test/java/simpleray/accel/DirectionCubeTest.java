@@ -36,7 +36,7 @@ class DirectionCubeTest {
     /** A box from 2 to 4 along the face's axis. */
     @ParameterizedTest
     @CsvSource({"0, 1, 0, 0.5", "-1, 1, -0.5, 0.5", "1, 1, 0.25, 0.5", "-1, -1, -0.5, -0.25", "-8, 8, -1, 1", "3, 9, 0.75, 1", "-4, -3, -1, -0.75"})
-    void aBoxIsSeenUnderTheSlopesOfItsCorners(double from, double to, double lowest, double highest) {
+    void aBoxIsVisibleBetweenTheSlopesOfItsCorners(double from, double to, double lowest, double highest) {
         double[] box = {2, from, -1, 4, to, 2};
         assertThat(DirectionCube.sees(box, 0, slopes)).isTrue();
         assertThat(slopes).containsExactly(new double[] {lowest, highest, -0.5, 1}, ROUNDING);
@@ -49,7 +49,7 @@ class DirectionCubeTest {
     }
 
     @Test
-    void aBoxIsNotSeenThroughOtherFaces() {
+    void aBoxIsNotVisibleThroughOtherFaces() {
         double[] box = {2, -1, -1, 4, 1, 1};
         for (int face = 1; face < DirectionCube.FACES; face++) {
             assertThat(DirectionCube.sees(box, face, slopes)).as("face " + face).isFalse();
@@ -59,7 +59,7 @@ class DirectionCubeTest {
     }
 
     @Test
-    void fromInsideABoxItIsSeenEverywhere() {
+    void fromInsideABoxIsVisibleEverywhere() {
         for (int face = 0; face < DirectionCube.FACES; face++) {
             assertThat(DirectionCube.sees(new double[] {-1, -2, -3, 3, 2, 1}, face, slopes)).isTrue();
             assertThat(slopes).containsExactly(-1, 1, -1, 1);
@@ -68,7 +68,7 @@ class DirectionCubeTest {
 
     /** The point lies in the plane of the side x = 0, beside the box or on it. */
     @Test
-    void fromTheHeightOfASideABoxIsSeenOnBothSidesOfTheEdge() {
+    void fromThePlaneOfASideABoxIsVisibleOnBothSidesOfTheEdge() {
         assertThat(DirectionCube.sees(new double[] {0, 1, 0, 2, 3, 0}, 0, slopes)).isTrue();
         assertThat(slopes).containsExactly(new double[] {0.5, 1, 0, 0}, ROUNDING);
         assertThat(DirectionCube.sees(new double[] {0, -1, 0, 2, 1, 0}, 0, slopes)).isTrue();
@@ -77,7 +77,7 @@ class DirectionCubeTest {
     }
 
     @Test
-    void withoutWindowsAllDirectionsLieInTheOneMoreCell() {
+    void withoutWindowsAllDirectionsBelongToTheOutsideCell() {
         DirectionCube cube = new DirectionCube();
         cube.divide(100);
 
@@ -124,7 +124,7 @@ class DirectionCubeTest {
     }
 
     @Test
-    void besideAWindowThereIsNothing() {
+    void directionsBesideAWindowBelongToTheOutsideCell() {
         DirectionCube cube = new DirectionCube();
         cube.open(4, new double[] {-0.5, 0.5, 0.25, 0.75});
         cube.divide(200);                                     // 20 to a slope of 1

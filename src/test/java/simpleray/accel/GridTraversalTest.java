@@ -44,7 +44,7 @@ class GridTraversalTest extends TraversalTest {
     @CsvSource({"-9, 0, 0, 1, 0, 0, 3", "0, 9, 0, 0, -1, 0, 3", "0, 0, -9, 0, 0, 1, 3", "0, 0, 0, 1, 0, 0, 2", "0, 0, 0, 0, 0, -1, 2",
         "-9, 9, 0, 1, -1, 0, 5", "-9, 1.1, 0, 1, 0, 0, 0", "0, -9, 0, 1, 0, 0, 0", "0, 0, 9, 0, 0, 1, 0", "-1.5, -1.25, 0, 1, 1, 0, 5",
         "-3, -2, 0, 1, 1, 0, 3", "0, -3, -2, 0, 1, 1, 3", "-2, 0, -3, 1, 0, 1, 3"})
-    void aRayComesToTheCellsOnItsWay(double x, double y, double z, double dx, double dy, double dz, int cells) {
+    void aRayVisitsTheCellsOnItsWay(double x, double y, double z, double dx, double dy, double dz, int cells) {
         double[][] corners = new double[8][];
         for (int i = 0; i < 8; i++) {
             double[] at = {(i & 1) * 2 - 1, (i >> 1 & 1) * 2 - 1, (i >> 2) * 2 - 1};
@@ -79,7 +79,7 @@ class GridTraversalTest extends TraversalTest {
 
     @ParameterizedTest
     @ValueSource(doubles = {1e-18, 1e-40, 1e-300, 1e-310, Double.MIN_VALUE})
-    void aDirectionMayHaveATinyComponent(double tiny) {
+    void tinyComponentsOfADirectionDoNoHarm(double tiny) {
         Random random = new Random(SEED);
         for (double scale : new double[] {1, 1e10}) {
             double[][] many = Boxes.random(random, 100, 0.5);
@@ -103,17 +103,17 @@ class GridTraversalTest extends TraversalTest {
 
     @ParameterizedTest
     @ValueSource(doubles = {1e5, 1e7, 1e9, 1e15})
-    void aRayFromFarAwayHitsOrPassesBy(double far) {
+    void aRayFromFarAwayHitsOrMisses(double far) {
         build(new double[] {1, 2, 3, 2, 4, 6}, new double[] {-2, -4, -6, -1, -2, -3});
         assertThat(compared(new double[] {-far, 3, 4, 1, 0, 0}, "towards the box")).isTrue();
         assertThat(compared(new double[] {-far, 3, 4, -1, 0, 0}, "away from it")).isFalse();
         assertThat(compared(new double[] {-far, 3, 40_000, 1, 0, 0}, "past it")).isFalse();
     }
 
-    /** How far a ray may start is told from the middle of the boxes, and in extents. */
+    /** The distance of a ray's origin is measured from the middle of the boxes, in extents. */
     @ParameterizedTest
     @CsvSource({"1e4, 0, 0, 1", "0, 1e4, 0, 1", "0, 0, 1e4, 1", "0, 0, 0, 1e-3", "0, 0, 0, 1e3"})
-    void onlyARayFromMoreThanAMillionExtentsIsNotFollowed(double x, double y, double z, double scale) {
+    void onlyARayFromMoreThanAMillionExtentsTestsAll(double x, double y, double z, double scale) {
         double size = x + y + z > 0 ? 1e-3 : scale;
         build(new double[] {x - size, y - size, z - size, x, y, z}, new double[] {x, y, z, x + size, y + size, z + size});
         for (int axis = 0; axis < 3; axis++) {

@@ -10,7 +10,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** Whatever a ray from the point can hit stands in the list of the ray's direction. */
+/** Each primitive that a ray from the point can hit is in the list of the ray's direction. */
 class LightBufferTest {
     private static final long SEED = 1986;
 
@@ -19,7 +19,7 @@ class LightBufferTest {
         return new double[] {x / length, y / length, z / length};
     }
 
-    /** {@return how near is at least what stands in the list of a direction, which is checked to be sorted} */
+    /** {@return the lower bounds of the distances in the list of a direction} Checks that the list is sorted. */
     private static Map<Integer, Double> list(LightBuffer buffer, double[] d) {
         int cell = buffer.cell(d[0], d[1], d[2]);
         Map<Integer, Double> list = new HashMap<>();
@@ -67,7 +67,7 @@ class LightBufferTest {
 
     /** A box from 3 to 4 along x, and from 4 to 5 along y. */
     @Test
-    void aPrimitiveIsAsNearAsItsNearestCorner() {
+    void theDistanceOfAPrimitiveIsThatOfItsNearestCorner() {
         LightBuffer buffer = LightBuffer.of(Boxes.bounds(new double[] {3, 4, -1, 4, 5, 1}, new double[] {-1, -1, -1, 1, 1, 1}), 0, 0, 0);
 
         assertThat(list(buffer, unit(3, 4, 0)).get(0)).isBetween(5 - 1e-4, 5.0);
@@ -75,7 +75,7 @@ class LightBufferTest {
     }
 
     @Test
-    void theNearestStandsFirst() {
+    void listsAreSortedByDistance() {
         double[][] row = new double[12][];
         Arrays.setAll(row, i -> new double[] {i * 7 % 12 + 1, -1, -1, i * 7 % 12 + 1.5, 1, 1});
         LightBuffer buffer = LightBuffer.of(Boxes.bounds(row), 0, 0, 0);
@@ -88,7 +88,7 @@ class LightBufferTest {
     }
 
     @Test
-    void whereThereIsNothingTheListIsEmpty() {
+    void aDirectionWithoutPrimitivesHasAnEmptyList() {
         LightBuffer buffer = LightBuffer.of(Boxes.bounds(new double[] {3, 4, -1, 4, 5, 1}), 0, 0, 0);
 
         for (double[] d : new double[][] {{-1, 0, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}, {1, 0, 0}}) {
@@ -97,7 +97,7 @@ class LightBufferTest {
     }
 
     @Test
-    void aRayTowardsThePointMayComeFromAMillionExtents() {
+    void aRayToThePointMayStartAMillionExtentsAway() {
         PrimitiveBounds bounds = Boxes.bounds(new double[] {-2, -2, -2, 2, 2, 2});
 
         assertThat(LightBuffer.of(bounds, 0, 0, 1).reach()).isEqualTo(bounds.reach());
@@ -113,18 +113,18 @@ class LightBufferTest {
         }
     }
 
-    /** Each of a hundred thousand boxes stands in all directions. */
+    /** Each of a hundred thousand boxes is visible in all directions. */
     @Test
-    void ifTheListsWouldBeLongThereIsNone() {
+    void longListsMakeNoBuffer() {
         double[][] boxes = new double[100_000][];
         Arrays.fill(boxes, new double[] {-1, -1, -1, 1, 1, 1});
 
         assertThat(LightBuffer.of(Boxes.bounds(boxes), 0, 0, 0)).isNull();
     }
 
-    /** Of which every 25th is looked at beforehand: these are small, and all others are large. */
+    /** The sample has every 25th box: these are small, and all others are large. */
     @Test
-    void norIfASampleDidNotForetellIt() {
+    void longListsThatTheSampleMissesMakeNoBuffer() {
         double[][] boxes = new double[100_000][];
         for (int i = 0; i < boxes.length; i++) {
             double half = i % 25 == 0 ? 1e-3 : 1;

@@ -19,7 +19,7 @@ class PoolTest {
 
     @ParameterizedTest
     @ValueSource(ints = {1, 2, 7})
-    void everyThingOfARangeIsDoneOnce(int threads) {
+    void eachItemOfARangeIsProcessedOnce(int threads) {
         AtomicIntegerArray times = new AtomicIntegerArray(MANY);
 
         try (Pool pool = new Pool(threads)) {
@@ -36,7 +36,7 @@ class PoolTest {
     }
 
     @Test
-    void whatIsBegunIsMadeWhileOneWaits() {
+    void tasksMayBeAwaitedInAnyOrder() {
         try (Pool pool = new Pool(1)) {
             Pool.Task<String> first = pool.begin(() -> "first");
             Pool.Task<String> second = pool.begin(() -> "second");
@@ -48,7 +48,7 @@ class PoolTest {
 
     @ParameterizedTest
     @ValueSource(ints = {1, 2, 7})
-    void whatIsThrownInAPartOfARangeIsThrownWhereItIsWaitedFor(int threads) {
+    void anExceptionInAPartOfARangeIsThrownToTheCaller(int threads) {
         OutOfMemoryError full = new OutOfMemoryError("made up");
 
         try (Pool pool = new Pool(threads)) {
@@ -62,7 +62,7 @@ class PoolTest {
 
     @ParameterizedTest
     @ValueSource(ints = {1, 2, 7})
-    void whatATaskThrowsIsThrownByTheThreadThatAwaitsIt(int threads) {
+    void anExceptionOfATaskIsThrownToTheThreadThatAwaitsIt(int threads) {
         IllegalStateException fault = new IllegalStateException("made up");
 
         try (Pool pool = new Pool(threads)) {
@@ -132,7 +132,7 @@ class PoolTest {
     }
 
     @Test
-    void aTaskThatIsAwaitedAfterTheEndIsRunAllTheSame() {
+    void aTaskAwaitedAfterClosingIsStillRun() {
         Pool pool = new Pool(2);
         pool.await(pool.begin(() -> "first"));
         pool.close();
@@ -140,16 +140,16 @@ class PoolTest {
         assertThat(pool.await(pool.begin(() -> "second"))).isEqualTo("second");
     }
 
-    /** Lest the memory be still short when the end of it is to be told. */
+    /** So that their memory is free when the message is printed. */
     @Test
-    void closingWaitsForWhatIsStillAtWork() {
+    void closingWaitsForRunningTasks() {
         AtomicBoolean ended = new AtomicBoolean();
         CountDownLatch atWork = new CountDownLatch(1);
 
         try (Pool pool = new Pool(2)) {
             pool.begin(() -> {
                 atWork.countDown();
-                never();                                      // until the threads are told to end
+                never();                                      // until the thread is interrupted
                 LockSupport.parkNanos(TimeUnit.MILLISECONDS.toNanos(50));
                 ended.set(true);
                 return null;
@@ -167,7 +167,7 @@ class PoolTest {
     }
 
     @Test
-    void anInterruptIsPassedOnAndTheWorkDoneAllTheSame() {
+    void anInterruptIsKeptAndTheTaskStillDone() {
         try (Pool pool = new Pool(1)) {
             Thread.currentThread().interrupt();
 
@@ -184,7 +184,7 @@ class PoolTest {
         }
     }
 
-    /** Waits until its thread is told to end. */
+    /** Waits until its thread is interrupted. */
     private static Object never() {
         try {
             return new CountDownLatch(1).await(1, TimeUnit.MINUTES);

@@ -49,7 +49,7 @@ class PrimitiveBoundsTest {
     }
 
     @Test
-    void aPointHasAnExtentToo() {
+    void theExtentOfASinglePointIsNotZero() {
         PrimitiveBounds bounds = Boxes.bounds(new double[6]);
 
         assertThat(bounds.extent).isPositive();
@@ -72,7 +72,7 @@ class PrimitiveBoundsTest {
     }
 
     @Test
-    void onlyTheNumberedPrimitivesCount() {
+    void onlyTheGivenPrimitivesCount() {
         double[][] boxes = {{0, 0, 0, 1, 1, 1}, {100, 100, 100, 101, 101, 101}, {2, 2, 2, 3, 3, 3}};
         try (Pool pool = new Pool(1)) {
             PrimitiveBounds bounds = new PrimitiveBounds(new int[] {2, 0}, (i, box) -> System.arraycopy(boxes[i], 0, box, 0, 6), pool);
@@ -84,7 +84,7 @@ class PrimitiveBoundsTest {
     }
 
     @Test
-    void swappedBoxesTakeTheirNumbersWithThem() {
+    void swappedBoxesKeepTheirPrimitives() {
         PrimitiveBounds bounds = Boxes.bounds(new double[] {0, 0, 0, 1, 1, 1}, new double[] {2, 2, 2, 3, 3, 3});
         float[] first = Arrays.copyOf(bounds.sides, 6);
         bounds.swap(0, 1);
@@ -95,7 +95,7 @@ class PrimitiveBoundsTest {
     }
 
     @Test
-    void anOrderSaysWhereEachBoxComesFrom() {
+    void reorderMovesEachBoxFromItsOldIndex() {
         double[][] boxes = new double[7][];
         for (int i = 0; i < boxes.length; i++) {
             boxes[i] = new double[] {i, 0, 0, i, 0, 0};

@@ -6,7 +6,7 @@ import java.util.Random;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** What a traversal shows is enough: the nearest box, and whether one is in the way, are those that a look at each box finds. */
+/** Compares the nearest hit and the occlusion that a traversal finds with those found by testing each box. */
 abstract class TraversalTest {
     static final double INFINITY = Double.POSITIVE_INFINITY;
 
@@ -19,7 +19,7 @@ abstract class TraversalTest {
         this.seed = seed;
     }
 
-    /** Builds the structure, and a traversal of it that shows its boxes to {@link #walked}. */
+    /** Builds the structure, and a traversal of it that tests its boxes by {@link #walked}. */
     abstract void build(PrimitiveBounds bounds, Pool pool);
 
     abstract void traverseClosest(double[] ray, double limit);
@@ -62,7 +62,7 @@ abstract class TraversalTest {
 
     @ParameterizedTest
     @CsvSource({"1, 1", "2, 1", "9, 0.5", "30, 3", "300, 0.3", "2000, 0.1", "300, 0"})
-    void theTraversalFindsWhatALookAtEachBoxFinds(int count, double size) {
+    void theTraversalFindsTheSameAsATestOfEachBox(int count, double size) {
         Random random = new Random(seed);
         build(Boxes.withTwins(random, count, size));
         int hits = 0;

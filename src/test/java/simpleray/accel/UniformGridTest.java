@@ -73,7 +73,7 @@ class UniformGridTest {
     }
 
     @Test
-    void whatIsFlatHasOneLayerOfCells() {
+    void flatScenesHaveOneLayerOfCells() {
         Random random = new Random(SEED);
         double[][] boxes = new double[1000][];
         Arrays.setAll(boxes, i -> point(random.nextDouble(), 5, random.nextDouble()));
@@ -95,7 +95,7 @@ class UniformGridTest {
 
     /** A hundred in one place, and one that is far from there. */
     @Test
-    void ofACrowdThereIsNoGridUnlessItIsWantedAnyway() {
+    void unevenlySpreadBoxesMakeNoGridUnlessItIsForced() {
         double[][] boxes = new double[101][];
         Arrays.fill(boxes, point(0, 0, 0));
         boxes[100] = point(9, 9, 9);
@@ -105,7 +105,7 @@ class UniformGridTest {
     }
 
     @Test
-    void norIsThereOneOfBoxesThatAreEverywhere() {
+    void boxesThatSpanManyCellsMakeNoGrid() {
         assertThat(grid(Boxes.bounds(lattice(0.1)), false, 1)).isNotNull();
         for (int axis = 0; axis < 3; axis++) {
             double[][] rods = lattice(0.1);
@@ -155,7 +155,7 @@ class UniformGridTest {
     }
 
     @Test
-    void whatIsBesideTheGridBelongsToItsLastCell() {
+    void coordinatesOutsideTheGridBelongToItsOuterCells() {
         UniformGrid grid = grid(Boxes.bounds(corners()), false, 1);
 
         assertThat(grid.cell(0, -7)).isZero();

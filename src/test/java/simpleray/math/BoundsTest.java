@@ -12,7 +12,7 @@ class BoundsTest {
 
     @ParameterizedTest
     @CsvSource({"-1,-3,-5", "2,4,6", "-1,4,6", "2,-3,-5", "0,0,0", "-1,0,0", "2,0,0", "0,-3,0", "0,4,0", "0,0,-5", "0,0,6"})
-    void itHoldsItsInsideItsSidesAndItsCorners(double x, double y, double z) {
+    void aBoxContainsItsInsideItsSidesAndItsCorners(double x, double y, double z) {
         assertThat(BOX.contains(new Point(x, y, z))).isTrue();
     }
 
@@ -33,7 +33,7 @@ class BoundsTest {
     }
 
     @Test
-    void twoBoxesAreHeldByOneWhicheverIsFirst() {
+    void theUnionOfTwoBoxesContainsBothInAnyOrder() {
         Bounds other = new Bounds(-2, 0, -4, 1, 5, 5);
         Bounds both = new Bounds(-2, -3, -5, 2, 5, 6);
 

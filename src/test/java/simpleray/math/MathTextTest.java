@@ -10,7 +10,7 @@ import org.junit.jupiter.api.Test;
 import simpleray.text.SceneFormatException;
 
 class MathTextTest {
-    /** Numbers that a careless decimal would lose; {@code equals} of the boxed ones tells -0.0 from 0.0. */
+    /** Numbers that a short decimal would lose; {@code equals} of the boxed ones distinguishes -0.0 from 0.0. */
     private static final Double[] HARD = {-0.0, 1.0 / 3, Double.MIN_VALUE};
 
     @Test

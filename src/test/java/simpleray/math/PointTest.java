@@ -57,7 +57,7 @@ class PointTest {
     }
 
     @Test
-    void aPointAlongARayIsSoManyDirectionsFromItsOrigin() {
+    void aPointAlongARayIsTDirectionsFromItsOrigin() {
         // (1,2,3) + 2.5 (0,0,-2)
         Ray ray = new Ray(new Point(1, 2, 3), new Vector(0, 0, -2));
 

@@ -7,14 +7,14 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** The length that a vector had, told while it gets the length 1. */
+/** The length that {@link Vector#normalise} returns. */
 class VectorNormaliseTest {
     /** A few roundings of numbers near 1. */
     private static final double ROUNDING = 4e-16;
 
     @ParameterizedTest
     @ValueSource(doubles = {1e-300, 1e-200, 1e-155, 1e-10, 1, 1e10, 1e155, 1e200, 1e300})
-    void theLengthItHadIsTold(double size) {
+    void normaliseReturnsTheLengthBefore(double size) {
         Vector v = new Vector(2 * size, -3 * size, 6 * size);     // 2² + 3² + 6² = 7²
 
         assertThat(v.measureAndNormalise() / (7 * size)).isEqualTo(1, within(ROUNDING));

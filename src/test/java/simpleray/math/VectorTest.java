@@ -58,7 +58,7 @@ class VectorTest {
     }
 
     @Test
-    void theWayFromOnePointToAnotherIsTheirDifference() {
+    void theVectorFromOnePointToAnotherIsTheirDifference() {
         Point to = new Point(1, 2, 3);
         Point from = new Point(10, 30, 50);
         Vector d = new Vector();

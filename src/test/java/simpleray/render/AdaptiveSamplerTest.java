@@ -30,12 +30,12 @@ class AdaptiveSamplerTest {
 
     @ParameterizedTest
     @MethodSource("scenes")
-    void itIsHardlyToBeToldFromFourByFour(String name) {
+    void thePictureIsNearlyThatOfFourByFourSamples(String name) {
         assertThat(measured(name).psnr).isGreaterThanOrEqualTo(GOOD);
     }
 
     @Test
-    void itTakesAThirdOfTheRaysAtMostOnAverage() {
+    void itTracesAtMostAThirdOfTheRaysOnAverage() {
         assertThat(scenes().mapToDouble(name -> measured(name).rays).average().orElseThrow())
             .isLessThanOrEqualTo(16.0 * SIDE * SIDE / 3);
     }
@@ -53,7 +53,7 @@ class AdaptiveSamplerTest {
     }
 
     @Test
-    void whereNothingDiffersThereIsOneRayAPixel() throws IOException {
+    void evenPicturesTakeOneRayPerPixel() throws IOException {
         CountingCamera camera = new CountingCamera(new SimpleCamera(13, 50));
         Picture picture = render(scene("1  1 0 0 1 -2  1 1 1  0 0 0  0 0 0  0  0.5 0.25 7  0"), camera, RenderSettings.ADAPTIVE, 1);
 
@@ -64,7 +64,7 @@ class AdaptiveSamplerTest {
     }
 
     @Test
-    void theMemoryItTakesDoesNotGrowWithTheHeight() {
+    void theMemoryDoesNotGrowWithTheHeight() {
         RenderSettings adaptive = new RenderSettings(Stage.FINAL, 10, RenderSettings.ADAPTIVE, 2);
 
         // a row of each thread, and first points of twice two rows and eight; 24 bytes a pixel and 24 a row
@@ -73,7 +73,7 @@ class AdaptiveSamplerTest {
     }
 
     @Test
-    void alongAnEdgePixelsHaveSixteenRaysAndElsewhereOne() throws IOException {
+    void pixelsAtAnEdgeTakeSixteenRaysAndOthersOne() throws IOException {
         // columns 0 to 4 are white from column 2 on: columns 1 and 2 see a neighbour that differs, in each of 3 rows
         CountingCamera camera = new CountingCamera(new SimpleCamera(5, 3));
         double edge = 4.0 * 5 / 3 * (2.0 / 5 - 0.5);
@@ -87,7 +87,7 @@ class AdaptiveSamplerTest {
     }
 
     @Test
-    void aPixelOnAnEdgeIsWhatFourByFourMakeOfIt() throws IOException {
+    void aPixelAtAnEdgeIsTheMeanOfFourByFourSamples() throws IOException {
         // one column of four sub-cells in white: 0.25; its neighbours' first points are all black and white
         Scene scene = scene("1  2  1 -900 0  1 900 0  900 0 0  1 1 1  0 0 0  0 0 0  0  1 1 1  0");
         SimpleCamera camera = new SimpleCamera(3, 1);
@@ -113,7 +113,7 @@ class AdaptiveSamplerTest {
         return Stream.of("thesis", "open-floor", "coloured-shadows", "glass", "facing-mirrors");   // all: docs/pictures.md
     }
 
-    /** How near a scene's picture comes to that of four by four samples, in decibels, and for how many primary rays. */
+    /** The similarity of a scene's picture to that of four by four samples, in decibels, and its number of primary rays. */
     private record Measured(double psnr, long rays) {
     }
 

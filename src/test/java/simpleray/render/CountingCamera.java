@@ -7,7 +7,7 @@ import simpleray.math.Point;
 import simpleray.math.Ray;
 import simpleray.scene.Camera;
 
-/** A camera that counts the primary rays it is asked for, and remembers where the first few of them went through the picture. */
+/** A camera that counts its primary rays, and keeps the points in the picture of the first few. */
 final class CountingCamera implements Camera {
     private static final int MAX_PLACES = 1000;
 
@@ -23,7 +23,7 @@ final class CountingCamera implements Camera {
         return rays.get();
     }
 
-    /** {@return the first places asked for, in order, as "px py"} */
+    /** {@return the points of the first rays, in order, as "px py"} */
     List<String> places() {
         return places;
     }

@@ -51,7 +51,7 @@ class ExplainerTest {
     }
 
     @Test
-    void theStoryIsTheSameHoweverObjectsAreFound() {
+    void theStoryDoesNotDependOnAcceleration() {
         RandomScenes scenes = new RandomScenes(SEED, folder);
         int blocked = 0;
         for (int i = 0; i < 60; i++) {
@@ -111,7 +111,7 @@ class ExplainerTest {
 
     @ParameterizedTest
     @ValueSource(ints = {2, 3, RenderSettings.ADAPTIVE})
-    void severalSamplesAreToldAndTheirMeanIsThePixel(int samples) {
+    void aStoryHasEachSampleAndTheirMeanIsThePixel(int samples) {
         RandomScenes scenes = new RandomScenes(SEED, folder);
         int alone = 0;
         int many = 0;
@@ -144,7 +144,7 @@ class ExplainerTest {
     }
 
     @Test
-    void theStoryNamesWhatIsHitAndWhatIsInTheWayByNumberKindAndLine() throws IOException {
+    void theStoryNamesHitAndBlockingObjectsByNumberKindAndLine() throws IOException {
         Scene scene = scene("""
             3
             # the floor
@@ -172,7 +172,7 @@ class ExplainerTest {
     }
 
     @Test
-    void glassInTheWayOfALightIsToldWithWhatItLeaves() throws IOException {
+    void theStoryNamesGlassThatDimsALightAndItsTransmission() throws IOException {
         Scene scene = scene("""
             2
             1  0 1 0 -1   0 0 0  1 1 1  0 0 0  1
@@ -188,7 +188,7 @@ class ExplainerTest {
     }
 
     @Test
-    void whereNothingIsHitTheStoryIsTheBackground() throws IOException {
+    void theStoryOfARayThatMissesIsTheBackground() throws IOException {
         PixelStory story = explainer(scene("0  1 1 1  0\nbackground 0.25 0.5 1"), 3, Stage.FINAL, 10).story(0, 0);
 
         assertThat(story.samples().get(0).tree().hit()).isNull();

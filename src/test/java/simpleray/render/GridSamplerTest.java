@@ -51,7 +51,7 @@ class GridSamplerTest {
 
     @ParameterizedTest
     @ValueSource(ints = {1, 2, 3, 7, 16})
-    void thereAreNTimesNOfThem(int n) {
+    void aPixelHasNTimesNSamples(int n) {
         CountingCamera camera = new CountingCamera(new SimpleCamera(5, 3));
         render(new Scene(), camera, n);
 

@@ -7,9 +7,9 @@ import simpleray.math.Ray;
 import simpleray.scene.Scene;
 import simpleray.scene.StandIn;
 
-/** An object that does what a test wants when a ray asks for a hit, and knows which threads asked. */
+/** An object whose intersection a test supplies, and which records the threads that intersect it. */
 final class Obstacle extends StandIn {
-    /** The threads that asked. */
+    /** These threads. */
     final Set<Thread> threads = ConcurrentHashMap.newKeySet();
     private final ToDoubleFunction<Ray> hit;
 
@@ -17,7 +17,7 @@ final class Obstacle extends StandIn {
         this.hit = hit;
     }
 
-    /** {@return a scene with nothing but this in it} */
+    /** {@return a scene with this object alone} */
     Scene alone() {
         Scene scene = new Scene();
         scene.setNumberObjects(1);

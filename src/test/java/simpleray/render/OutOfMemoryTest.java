@@ -11,15 +11,15 @@ class OutOfMemoryTest {
     private static final OutOfMemoryError FULL = new OutOfMemoryError("made up");
 
     @Test
-    void itIsBehindItselfAndWhatItCauses() {
+    void anOutOfMemoryErrorIsFoundAmongTheCauses() {
         assertThat(OutOfMemory.isBehind(FULL)).isTrue();
         assertThat(OutOfMemory.isBehind(new IllegalStateException(new ExecutionException(FULL)))).isTrue();
         assertThat(OutOfMemory.isBehind(new ExceptionInInitializerError(FULL))).isTrue();
     }
 
-    /** The machine may throw one and the same error twice, which cannot be added to itself. */
+    /** The JVM may throw the same error object twice, and an exception cannot be added to itself as suppressed. */
     @Test
-    void itIsBehindAResourceThatCannotBeClosedForTheSameReason() {
+    void anOutOfMemoryErrorIsFoundInAResourceThatCannotBeClosed() {
         Throwable thrown = catchThrowable(() -> FULL.addSuppressed(FULL));
 
         assertThat(thrown).isInstanceOf(IllegalArgumentException.class);
@@ -27,7 +27,7 @@ class OutOfMemoryTest {
     }
 
     @Test
-    void itIsNotBehindOtherFaults() {
+    void otherExceptionsDoNotComeFromALackOfMemory() {
         assertThat(OutOfMemory.isBehind(new IllegalStateException(new IOException("of a disk")))).isFalse();
         assertThat(OutOfMemory.isBehind(new StackOverflowError())).isFalse();
     }

@@ -19,7 +19,7 @@ class PreparedSceneTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"thesis", "many-spheres", "light-ring", "free-camera"})
-    void eachCameraSeesWhatItSeesOfASceneThatWasJustRead(String name) throws IOException {
+    void eachRequestGivesThePictureOfASceneJustRead(String name) throws IOException {
         PreparedScene prepared = new PreparedScene(scene(name));
         for (Pose pose : POSES) {
             Picture again = rendered(prepared.renderer(request(pose)));
@@ -32,7 +32,7 @@ class PreparedSceneTest {
     }
 
     @Test
-    void whatOneRequestAskedForTheNextDoesNot() throws IOException {
+    void optionsOfOneRequestDoNotAffectTheNext() throws IOException {
         PreparedScene prepared = new PreparedScene(scene("free-camera"));
         SceneSettings own = scene("free-camera").settings;
         SceneSettings other = new SceneSettings();
@@ -48,7 +48,7 @@ class PreparedSceneTest {
     }
 
     @Test
-    void allObjectsAreAskedWhereThatIsWanted() throws IOException {
+    void withoutAccelerationAllObjectsAreTested() throws IOException {
         Picture all = rendered(new PreparedScene(scene("thesis")).renderer(request(null).with(Accel.NONE)));
         Picture some = rendered(new PreparedScene(scene("thesis")).renderer(request(null)));
 

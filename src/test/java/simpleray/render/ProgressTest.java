@@ -47,7 +47,7 @@ class ProgressTest {
     }
 
     @Test
-    void beforeTheFirstRowNobodyKnowsHowLongItTakes() {
+    void beforeTheFirstRowTheTimeLeftIsUnknown() {
         assertThat(finished(4, 0).left(START + 2 * SECOND)).isNaN();
     }
 
@@ -64,7 +64,7 @@ class ProgressTest {
     @CsvSource({"0, 0.0 s", "0.04, 0.0 s", "0.3, 0.3 s", "9.94, 9.9 s", "9.96, 10 s", "12.4, 12 s", "59.4, 59 s", "59.6, 1:00 min",
         "60, 1:00 min", "185, 3:05 min", "3599.4, 59:59 min", "3599.6, 1:00:00 h", "3723, 1:02:03 h", "360000, 100:00:00 h",
         "NaN, ?"})
-    void aTimeIsWrittenAsPeopleReadIt(double seconds, String text) {
+    void timesAreFormattedForPeople(double seconds, String text) {
         assertThat(Progress.time(seconds)).isEqualTo(text);
     }
 

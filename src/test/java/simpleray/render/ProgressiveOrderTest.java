@@ -19,12 +19,12 @@ class ProgressiveOrderTest {
 
     @ParameterizedTest
     @CsvSource({"0, 0, 40, 17", "0, 0, 1, 1", "39, 16, 1, 1", "5, 3, 20, 9", "8, 8, 8, 8", "0, 4, 40, 2"})
-    void everyPixelComesOnceAlsoWhereARegionComesFirst(int x, int y, int width, int height) {
+    void everyPixelComesOnceIfARegionComesFirst(int x, int y, int width, int height) {
         assertThat(times(new ProgressiveOrder(40, 17, new Region(x, y, width, height), false, false), 40, 17)).containsOnly(1);
     }
 
     @Test
-    void aRegionAloneIsAllThatComes() {
+    void aRegionAloneIsTheOnlyPartThatComes() {
         int[] times = times(new ProgressiveOrder(40, 17, new Region(5, 3, 20, 9), true, false), 40, 17);
 
         for (int i = 0; i < times.length; i++) {
@@ -97,7 +97,7 @@ class ProgressiveOrderTest {
     }
 
     @Test
-    void toStopLeavesNothingToDo() {
+    void afterStopNoRunIsHandedOut() {
         ProgressiveOrder passes = new ProgressiveOrder(40, 17, null, false, false);
         passes.next();
         passes.stop();
@@ -118,7 +118,7 @@ class ProgressiveOrderTest {
     }
 
     @Test
-    void toStopEndsTheWaiting() throws Exception {
+    void stopEndsTheWaiting() throws Exception {
         ProgressiveOrder passes = new ProgressiveOrder(1, 1, null, false, true);
         passes.next();
         CompletableFuture<PixelRun> next = ScanlineQueueTest.waiting(passes::next);

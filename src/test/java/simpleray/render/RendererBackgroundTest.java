@@ -12,7 +12,7 @@ import simpleray.image.Picture;
 import simpleray.scene.Scene;
 import simpleray.scene.SimpleCamera;
 
-/** What rays see that hit nothing. */
+/** The colour of rays that hit nothing. */
 class RendererBackgroundTest {
     private static final String SKY = "background 0.5 0.25 1";
     private static final double[] SKY_SEEN = {0.5, 0.25, 1};
@@ -20,24 +20,24 @@ class RendererBackgroundTest {
 
     @ParameterizedTest
     @EnumSource(names = {"ORIGINAL", "LIGHTING", "FINAL", "AMBIENT"})
-    void aPrimaryRayThatMissesShowsIt(Stage stage) throws IOException {
+    void aPrimaryRayThatMissesShowsTheBackground(Stage stage) throws IOException {
         assertThat(pixel("0  1 1 1  0\n" + SKY, stage)).containsExactly(SKY_SEEN);
     }
 
     @ParameterizedTest
     @EnumSource(names = {"DIFFUSE", "SPECULAR"})
-    void thePicturesOfATermOfALightDoNot(Stage stage) throws IOException {
+    void stagesOfALightsTermDoNotShowTheBackground(Stage stage) throws IOException {
         assertThat(pixel("0  1 1 1  0\n" + SKY, stage)).containsExactly(BLACK);
     }
 
     @ParameterizedTest
     @EnumSource
-    void withoutOneItIsBlack(Stage stage) throws IOException {
+    void withoutABackgroundARayThatMissesIsBlack(Stage stage) throws IOException {
         assertThat(pixel("0  1 1 1  0", stage)).containsExactly(BLACK);
     }
 
     @Test
-    void aMirrorShowsItTimesKs() throws IOException {
+    void aMirrorShowsTheBackgroundTimesKs() throws IOException {
         String mirror = "1  1 0 0 1 -2  0 0 0  0 0 0  0.5 1 0.25  1  0 0 0  0\n" + SKY;
 
         assertThat(pixel(mirror, Stage.FINAL)).containsExactly(0.25, 0.25, 0.25);
@@ -45,7 +45,7 @@ class RendererBackgroundTest {
     }
 
     @Test
-    void glassShowsItTimesKt() throws IOException {
+    void glassShowsTheBackgroundTimesKt() throws IOException {
         String glass = "1  1 0 0 1 -2  0 0 0  0 0 0  0 0 0  1 transmit 0.5 1 0.25 1.5  0 0 0  0\n" + SKY;
 
         assertThat(pixel(glass, Stage.FINAL)).containsExactly(0.25, 0.25, 0.25);
@@ -53,17 +53,17 @@ class RendererBackgroundTest {
     }
 
     @Test
-    void itIsNoLight() throws IOException {
+    void theBackgroundIsNoLight() throws IOException {
         assertThat(pixel("1  1 0 0 1 -2  1 1 1  1 1 1  0 0 0  1  0 0 0  0\n" + SKY, Stage.FINAL)).containsExactly(BLACK);
     }
 
     @Test
-    void itIsNotLimited() throws IOException {
+    void theBackgroundMayBeBrighterThanOne() throws IOException {
         assertThat(pixel("0  1 1 1  0\nbackground 2 0 1.5", Stage.FINAL)).containsExactly(2, 0, 1.5);
     }
 
     @Test
-    void theThreeTermsAddUpToLightingWithIt() throws IOException {
+    void theThreeTermsAddUpToLightingOverTheBackground() throws IOException {
         String ball = "1  0 0 0 0 1  0.2 0.2 0.2  0.5 0.1 0.3  0.4 0.4 0.4  9  1 1 1  1  0 1 1 1 3 4 5\n" + SKY;
         Picture sum = Picture.sum(List.of(picture(ball, Stage.AMBIENT, 9), picture(ball, Stage.DIFFUSE, 9),
             picture(ball, Stage.SPECULAR, 9)));

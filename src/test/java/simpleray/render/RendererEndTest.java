@@ -19,7 +19,7 @@ import simpleray.scene.Object;
 import simpleray.scene.Scene;
 import simpleray.scene.SimpleCamera;
 
-/** Renderings that do not come to a whole picture. */
+/** Renderings that are cancelled. */
 @Timeout(value = 60, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 class RendererEndTest {
     /** A side so long that no machine renders the square of it before the test is over. */

@@ -15,21 +15,21 @@ import simpleray.scene.Object;
 import simpleray.scene.Scene;
 import simpleray.scene.SimpleCamera;
 
-/** Renderings in which something throws. */
+/** Renderings in which an object or a listener throws an exception. */
 @Timeout(value = 60, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 class RendererFaultTest {
     private static final int EARLY_ROWS = 64;
 
     @ParameterizedTest
     @ValueSource(ints = {1, 3})
-    void whatAnObjectThrowsIsThrownWhenAllThreadsHaveEnded(int threads) {
+    void anExceptionOfAnObjectIsThrownWhenAllThreadsHaveEnded(int threads) {
         IllegalStateException fault = new IllegalStateException("a fault of this object");
         AtomicReference<Thread> thrower = new AtomicReference<>();
         Obstacle obstacle = new Obstacle(ray -> {
             if (thrower.compareAndSet(null, Thread.currentThread())) {
                 throw fault;
             }
-            end(thrower.get());                               // whoever goes on after that has not been told to end
+            end(thrower.get());                               // a thread that goes on after that was not stopped
             return Object.MISS;
         });
         Renderer renderer = new Renderer(obstacle.alone(), new SimpleCamera(1, 100), new RenderSettings(Stage.FINAL, 0, 1, threads));
@@ -43,7 +43,7 @@ class RendererFaultTest {
     }
 
     @Test
-    void soIsAnError() {
+    void anErrorOfAnObjectIsThrownWhenAllThreadsHaveEnded() {
         StackOverflowError fault = new StackOverflowError();
         Obstacle obstacle = new Obstacle(ray -> {
             throw fault;
@@ -55,7 +55,7 @@ class RendererFaultTest {
     }
 
     @Test
-    void soIsWhatAListenerThrows() {
+    void anExceptionOfAListenerIsThrown() {
         IllegalStateException fault = new IllegalStateException("a fault of this listener");
         Renderer renderer = new Renderer(new Scene(), new SimpleCamera(10, 10), new RenderSettings());
 
@@ -65,14 +65,14 @@ class RendererFaultTest {
     }
 
     @Test
-    void aFaultEndsThreadsThatWaitForItsRow() {
+    void anExceptionEndsThreadsThatWaitForItsRow() {
         IllegalStateException fault = new IllegalStateException("a fault of this object");
         AtomicReference<Thread> thrower = new AtomicReference<>();
         AtomicReference<Thread> other = new AtomicReference<>();
         Map<Thread, Integer> rays = new ConcurrentHashMap<>();
         BitSet finished = new BitSet();
         Obstacle obstacle = new Obstacle(ray -> {
-            // the first rays of each are of rows that are rendered before their turn, for which nobody waits
+            // the first rays of each thread are of early rows, for which no thread waits
             boolean early = rays.merge(Thread.currentThread(), 1, Integer::sum) <= EARLY_ROWS / 2;
             if (!early && thrower.compareAndSet(null, Thread.currentThread())) {
                 while (other.get() == null || other.get().getState() != Thread.State.WAITING) {

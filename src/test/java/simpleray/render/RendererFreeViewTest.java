@@ -14,7 +14,7 @@ import simpleray.scene.Scene;
 import simpleray.scene.SceneFile;
 import simpleray.scene.SceneSettings.Resolution;
 
-/** A simple camera and the free one in its place make one picture. */
+/** A simple camera and the free camera in its place give the same picture. */
 class RendererFreeViewTest {
     @ParameterizedTest
     @CsvSource({"thesis, 120, 90", "thesis, 200, 200", "open-floor, 90, 120", "many-spheres, 100, 70"})

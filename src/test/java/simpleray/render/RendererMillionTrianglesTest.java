@@ -15,7 +15,7 @@ import simpleray.scene.Scene;
 import simpleray.scene.SceneFile;
 import simpleray.scene.SimpleCamera;
 
-/** A mesh of a million triangles is nothing out of the ordinary. The time is told, not judged. */
+/** A mesh of a million triangles is read and rendered. The time is printed, not judged. */
 class RendererMillionTrianglesTest {
     private static final int ACROSS = 1000;
     private static final int DOWN = 500;

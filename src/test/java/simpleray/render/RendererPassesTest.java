@@ -24,13 +24,13 @@ import simpleray.scene.Scene;
 import simpleray.scene.SimpleCamera;
 import simpleray.scene.ThesisScene;
 
-/** A picture rendered in passes, as a window wants it. */
+/** Pictures rendered in passes, as in a window. */
 @Timeout(value = 60, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 class RendererPassesTest {
     private static final int WIDTH = 45;
     private static final int HEIGHT = 31;
 
-    /** Notes what it is told. */
+    /** Records its calls. */
     private static class Told implements PassListener {
         final Set<Integer> rows = new ConcurrentSkipListSet<>();
         final Map<Integer, Throwable> faults = new ConcurrentSkipListMap<>();
@@ -62,7 +62,7 @@ class RendererPassesTest {
 
     @ParameterizedTest
     @CsvSource({"1, 1", "1, 3", "2, 2", "0, 1", "0, 3"})
-    void itIsTheSamePictureAndTheListenerSawEachPixelOfIt(int samples, int threads) throws IOException {
+    void passesGiveTheSamePictureAndTheListenerReceivesEachPixel(int samples, int threads) throws IOException {
         Picture expected = renderer(ThesisScene.read(), samples, threads).render(RenderListener.NONE);
         for (Region first : new Region[] {null, new Region(7, 5, 20, 11), new Region(0, 0, WIDTH, HEIGHT)}) {
             Told told = new Told();
@@ -125,7 +125,7 @@ class RendererPassesTest {
 
     @ParameterizedTest
     @ValueSource(ints = {1, 0})
-    void whatARowThrowsIsToldAndTheOtherRowsAreFinished(int samples) {
+    void anExceptionInARowIsReportedAndTheOtherRowsAreFinished(int samples) {
         IllegalStateException fault = new IllegalStateException("a fault of this object");
         Scene scene = new Obstacle(ray -> {
             if (row(ray) == 12) {
@@ -136,7 +136,7 @@ class RendererPassesTest {
         Told told = new Told();
         Picture picture = renderer(scene, samples, 3).renderPasses(told, null, false);
 
-        int around = samples == 0 ? 1 : 0;                    // what its neighbours are decides about a pixel
+        int around = samples == 0 ? 1 : 0;                    // adaptive sampling compares a pixel with its neighbours
         for (int y = 0; y < HEIGHT; y++) {
             boolean fails = Math.abs(y - 12) <= around;
             assertThat(told.faults.get(y)).as("fault of row " + y).isSameAs(fails ? fault : null);
@@ -196,7 +196,7 @@ class RendererPassesTest {
     }
 
     @Test
-    void aRenderingThatWasPausedBeforeItBeganGoesOnToTheWholePicture() throws IOException {
+    void aRenderingPausedBeforeItBeganCanBeResumed() throws IOException {
         Renderer renderer = renderer(ThesisScene.read(), 1, 2);
         renderer.setPaused(true);
         Thread later = new Thread(() -> {
@@ -230,14 +230,14 @@ class RendererPassesTest {
     }
 
     @Test
-    void aPieceOfAPictureIsNotRenderedInPasses() {
+    void aRendererOfARegionDoesNotRenderInPasses() {
         RenderSettings piece = new RenderSettings(Stage.FINAL, 0, 1, Accel.AUTO, 1, new Region(0, 0, 5, 5));
         assertThatThrownBy(() -> new Renderer(new Scene(), new SimpleCamera(9, 9), piece).renderPasses(new Told(), null, false))
             .isInstanceOf(IllegalArgumentException.class).hasMessage("a region is not rendered in passes");
     }
 
     @Test
-    void whatTheListenerThrowsEndsTheRendering() {
+    void anExceptionOfTheListenerEndsTheRendering() {
         IllegalStateException fault = new IllegalStateException("a fault of this listener");
         Told told = new Told() {
             @Override

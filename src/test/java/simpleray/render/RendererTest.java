@@ -31,7 +31,7 @@ class RendererTest {
 
     @ParameterizedTest
     @EnumSource(mode = EnumSource.Mode.EXCLUDE, names = {"NORMALS", "DEPTH", "OBJECTS", "BOUNCES", "SHADOWS"})
-    void eachPixelIsWhatItsRaySees(Stage stage) throws IOException {
+    void eachPixelIsTheColourOfItsRay(Stage stage) throws IOException {
         Scene scene = ThesisScene.read();
         SimpleCamera camera = new SimpleCamera(WIDTH, HEIGHT);
 
@@ -69,7 +69,7 @@ class RendererTest {
     }
 
     @Test
-    void aListenerHearsEveryRowOnceWhenItIsThere() {
+    void theListenerIsCalledOnceForEachFinishedRow() {
         Renderer renderer = new Renderer(new Scene(), new SimpleCamera(3, 100), new RenderSettings(Stage.FINAL, 0, 1, 4));
         List<Integer> heard = new CopyOnWriteArrayList<>();
         List<Integer> missing = new CopyOnWriteArrayList<>();
@@ -87,7 +87,7 @@ class RendererTest {
     }
 
     @Test
-    void whereNothingIsHitThePictureIsBlack() {
+    void raysThatMissAreBlack() {
         Picture picture = new Renderer(new Scene(), new SimpleCamera(2, 1), new RenderSettings()).render(RenderListener.NONE);
 
         assertThat(picture.row(0)).containsExactly(0, 0, 0, 0, 0, 0);
@@ -95,7 +95,7 @@ class RendererTest {
 
     @ParameterizedTest
     @ValueSource(ints = {0, 1, 3, SceneSettings.MAX_DEPTH})
-    void theDepthIsThatOfTheSettingsAndTheStackHoldsTheDeepest(int depth) {
+    void theSettingsLimitTheDepthAndTheStackHoldsTheDeepest(int depth) {
         // two mirrors of Ka = Ks = 1 face each other along the axis of the one ray: each reflection adds 1
         Scene scene = facingMirrors(SceneSettings.MAX_DEPTH);
 
@@ -107,7 +107,7 @@ class RendererTest {
 
     @Test
     @Timeout(value = 60, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
-    void asManyThreadsWorkAsWereAskedFor() {
+    void theSettingsSayHowManyThreadsWork() {
         // each of three rows waits until three threads are at work
         CyclicBarrier three = new CyclicBarrier(3);
         Obstacle obstacle = new Obstacle(ray -> {

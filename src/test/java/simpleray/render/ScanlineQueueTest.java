@@ -39,7 +39,7 @@ class ScanlineQueueTest {
     }
 
     @Test
-    void toStopEndsTheWaiting() throws Exception {
+    void stopEndsTheWaiting() throws Exception {
         ScanlineQueue rows = new ScanlineQueue(1000, 2);
         next(rows, 256);
         CompletableFuture<Integer> waiting = waiting(rows::next);
@@ -51,7 +51,7 @@ class ScanlineQueueTest {
     }
 
     @Test
-    void afterTheLastRowNobodyWaits() {
+    void afterTheLastRowNoThreadWaits() {
         ScanlineQueue rows = new ScanlineQueue(256, 2);
         next(rows, 256);
 

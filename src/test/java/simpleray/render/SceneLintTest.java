@@ -16,7 +16,7 @@ import simpleray.Project;
 import simpleray.scene.SceneFile;
 import simpleray.text.Diagnostic;
 
-/** What is odd about a picture is told with the line of what makes it so. */
+/** Warnings about a scene, each with the line of the object or light that causes it. */
 class SceneLintTest {
     private static final String MATT = "  0.5 0.5 0.5  0.4 0.4 0.4  0 0 0  1\n";
     private static final String WALL = "1  0 0 1  -3" + MATT;
@@ -34,7 +34,7 @@ class SceneLintTest {
     }
 
     @Test
-    void aSceneWithoutOddThingsHasNoWarning() throws IOException {
+    void aSceneWithoutMistakesHasNoWarning() throws IOException {
         assertThat(warnings(List.of(WALL, BALL), "0.5 0.5 0.5", "0  0.5 0.5 0.5  1 1 2", "1  0.2 0.2 0.2  0 -1 -1")).isEmpty();
     }
 
@@ -74,13 +74,13 @@ class SceneLintTest {
     @ParameterizedTest
     @ValueSource(strings = {"0  0 0 9  1", "0  90 0 -1  0.5", "0  0 0 -9  1", "0  0 0 -1  0.1", "1  0 0 1  20", "2  0 0 -5  1 0 -5  0 1 -5",
         "3  0 0 -5  1 0 -5  0.2"})
-    void anObjectThatNoRayMeetsIsNotSeen(String object) throws IOException {
+    void anObjectThatNoRayHitsIsNotSeen(String object) throws IOException {
         assertThat(warnings(List.of(WALL, object + MATT, BALL), "0.5 0.5 0.5"))
             .containsExactly("a:3:1: warning: object 2 was not seen by any of 18496 rays");
     }
 
     @Test
-    void ofManyObjectsThatAreNotSeenOnlyTheFirstHasItsLine() throws IOException {
+    void ofManyUnseenObjectsOnlyTheFirstIsNamed() throws IOException {
         List<String> objects = new ArrayList<>(Collections.nCopies(12, "0  0 0 -9  1" + MATT));
         objects.set(0, WALL);
 
@@ -90,19 +90,19 @@ class SceneLintTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"0  0 0 2  0.5", "0  0.4 0 2  0.5", "3  0 -1 2  0 1 2  0.3"})
-    void anObjectAroundTheEyeIsTold(String object) throws IOException {
+    void anObjectAroundTheEyeHasAWarning(String object) throws IOException {
         assertThat(warnings(List.of(object + MATT), "0.5 0.5 0.5"))
             .containsExactly("a:2:1: warning: object 1 is around the eye, which sees it from inside");
     }
 
     @ParameterizedTest
     @ValueSource(strings = {"0  0.6 0 2  0.5", "3  0 -1 1.6  0 1 1.6  0.3", "1  0 0 1  -3", "0  0 0 0  1.999"})
-    void anObjectBesideTheEyeIsNot(String object) throws IOException {
+    void anObjectBesideTheEyeHasNoWarning(String object) throws IOException {
         assertThat(warnings(List.of(WALL, object + MATT), "0.5 0.5 0.5")).noneMatch(warning -> warning.contains("around"));
     }
 
     @Test
-    void theEyeIsWhereTheFilePutsIt() throws IOException {
+    void theCameraOfTheFileIsUsed() throws IOException {
         assertThat(warnings("1\n" + BALL + "1 1 1\n0\ncop 0.25\nwindow -9 9 -9 9")).isEmpty();
         assertThat(warnings("1\n" + BALL + "1 1 1\n0\ncamera 0 0 -1.2  0 0 0  40"))
             .containsExactly("a:2:1: warning: object 1 is around the eye, which sees it from inside");
@@ -120,7 +120,7 @@ class SceneLintTest {
     }
 
     @Test
-    void whoDidNotAskIsToldOfBrightColoursOnlyIfThereAreMany() throws IOException {
+    void unaskedWarningsNameBrightColoursOnlyIfThereAreMany() throws IOException {
         String spot = "2\n" + WALL + "0  0 0 -2  0.05  2 2 2  0 0 0  0 0 0  1\n0.5 0.5 0.5\n0\nresolution 100 100\n";
         SceneFile little = SceneFile.read(new ByteArrayInputStream(spot.replace("2 2 2", "3 3 3").getBytes(StandardCharsets.UTF_8)));
         SceneFile much = SceneFile.read(new ByteArrayInputStream(spot.replace("2 2 2", "3 3 3").replace("0.05", "1")
@@ -132,7 +132,7 @@ class SceneLintTest {
     }
 
     @Test
-    void anEmptySceneIsNotOdd() throws IOException {
+    void anEmptySceneHasNoWarning() throws IOException {
         assertThat(warnings("0\n1 1 1\n1\n0  1 1 1  0 0 0")).isEmpty();
     }
 }

@@ -10,14 +10,14 @@ import simpleray.scene.RayTree.Lamp;
 import simpleray.scene.RayTree.Next;
 import simpleray.scene.RayTree.Verdict;
 
-/** Adds the terms of stories again, from nothing but what the stories tell, and holds the sums to what they say, bit for bit. */
+/** Adds the terms of stories anew, from the stories alone, and compares the sums with those in the stories, bit for bit. */
 final class StorySums {
-    /** How many rays hit something. */
+    /** The number of rays that hit an object. */
     int hits;
-    /** How many lights were blocked, and how many dimmed. */
+    /** The numbers of blocked and of dimmed lights. */
     int blocked;
     int dimmed;
-    /** How many mirror rays and refracted rays were told of. */
+    /** The numbers of mirror rays and of refracted rays. */
     int mirrored;
     int refracted;
 

@@ -12,10 +12,10 @@ import simpleray.scene.RayTree;
 import simpleray.scene.Scene;
 import simpleray.scene.SimpleCamera;
 
-/** A story in words: numbers that can be checked by hand. */
+/** The text of a story, with numbers that can be checked by hand. */
 class StoryTextTest {
     @Test
-    void aMirrorsStoryHoldsThatOfWhatItShows() throws IOException {
+    void aMirrorsStoryContainsThatOfTheMirrorRay() throws IOException {
         // the eye at (0, 0, 2) looks at a mirror 4 away, which shows the wall behind the eye; a lamp is right above the eye, a ball between
         String text = text("""
             3
@@ -92,7 +92,7 @@ class StoryTextTest {
     }
 
     @Test
-    void glassIsToldAsWhatDimsALightAndByItsRefractedRay() throws IOException {
+    void glassAppearsAsDimmingALightAndByItsRefractedRay() throws IOException {
         String text = text("""
             2
             1 0 0 1 -2   0 0 0  1 1 1  0 0 0  1
@@ -107,7 +107,7 @@ class StoryTextTest {
     }
 
     @Test
-    void severalSamplesAreToldOneAfterAnother() throws IOException {
+    void samplesAreListedOneAfterAnother() throws IOException {
         assertThat(text("0  1 1 1  0\nbackground 0.125 0.25 2", Stage.FINAL, 2)).isEqualTo("""
             pixel 0,0 of 1x1, stage final: 0.125 0.25 1, levels 32 64 255
               the mean of 4 samples, each brought into 0 to 1
@@ -127,7 +127,7 @@ class StoryTextTest {
     }
 
     @Test
-    void aViewIsToldWithTheStoryOfTheFinishedPicture() throws IOException {
+    void aViewHasTheStoryOfTheFinalStage() throws IOException {
         assertThat(text("1 1 0 0 1 -2  1 1 1  0 0 0  0 0 0  1  0.25 0.5 1  0", Stage.DEPTH, 1)).startsWith("""
             pixel 0,0 of 1x1, stage depth: 0.2 0.2 0.2, levels 51 51 51
               sample at 0.5,0.5: 0.2 0.2 0.2
@@ -137,13 +137,13 @@ class StoryTextTest {
     }
 
     @Test
-    void shadowsAreNotToldWhereAStageHasNone() throws IOException {
+    void aStageWithoutShadowsMentionsNone() throws IOException {
         assertThat(text("1 1 0 0 1 -2  1 1 1  0 0 0  0 0 0  1  0 0 0  1  0 1 1 1 0 0 0", Stage.LIGHTING, 1))
             .contains("\n        shines, for this stage has no shadows\n");
     }
 
     @Test
-    void whatIsNotToldSaysSoAndNumbersHaveSixDigits() {
+    void aStoryThatIsCutSaysSoAndNumbersHaveSixDigits() {
         Colour odd = new Colour(1.0 / 3, 1e-7, 12345678901.0);
         RayTree story = new RayTree(new Ray(), 4, false, null, odd);
 

@@ -16,7 +16,7 @@ import simpleray.image.Picture;
 import simpleray.scene.Scene;
 import simpleray.scene.SimpleCamera;
 
-/** The stages that show something else than light, with numbers that follow from their definitions. */
+/** The stages that show something other than light, with numbers that follow from their definitions. */
 class ViewIntegratorTest {
     private static final String MATT = "  1 1 1  1 1 1  0 0 0  1\n";
     private static final String LIGHT = "0 0 0  1  0  1 1 1  0 0 2\n";
@@ -63,7 +63,7 @@ class ViewIntegratorTest {
     }
 
     @Test
-    void bouncesAreTheShareOfTheDepthThatRaysGo() throws IOException {
+    void bouncesAreTheShareOfTheDepthThatIsUsed() throws IOException {
         String mirrors = "2  1 0 0 1 -2  0 0 0  0 0 0  1 1 1  3   1 0 0 1 4  0 0 0  0 0 0  1 1 1  9\n" + LIGHT;
 
         assertThat(centre("1  1 0 0 1 -2" + MATT + LIGHT, Stage.BOUNCES, 10)).as("nothing mirrors").containsExactly(0, 0, 0);
@@ -76,7 +76,7 @@ class ViewIntegratorTest {
     }
 
     @Test
-    void shadowsAreTheShareOfLightsThatComes() throws IOException {
+    void shadowsAreTheShareOfLightsThatReachesTheSurface() throws IOException {
         String wall = "1  1 0 0 1 -2" + MATT;
         String four = "0 0 0  4  0 1 1 1  0 0 2   0 0.5 0 0  0 0 5   0 1 1 1  0 0 -9   0 1 1 1  9 0 2\n";
 
@@ -90,13 +90,13 @@ class ViewIntegratorTest {
 
     @ParameterizedTest
     @EnumSource(names = {"NORMALS", "DEPTH", "OBJECTS", "BOUNCES", "SHADOWS"})
-    void whereNothingIsHitAViewIsBlackWhateverTheBackground(Stage view) throws IOException {
+    void aViewOfARayThatMissesIsBlackOnAnyBackground(Stage view) throws IOException {
         assertThat(centre("0  1 1 1  0\nbackground 1 1 1", view, 10)).containsExactly(0, 0, 0);
     }
 
     @ParameterizedTest
     @EnumSource(names = {"NORMALS", "DEPTH", "OBJECTS", "BOUNCES", "SHADOWS"})
-    void aViewIsTheSameOnAnyNumberOfThreadsAndHoweverObjectsAreFound(Stage view) {
+    void aViewDoesNotDependOnThreadsOrAcceleration(Stage view) {
         RandomScenes scenes = new RandomScenes(1980, folder);
         for (int i = 0; i < 60; i++) {
             Scene scene = scenes.next(i % 10 == 0 ? 60 : 15);

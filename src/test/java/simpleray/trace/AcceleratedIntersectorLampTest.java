@@ -23,7 +23,7 @@ import simpleray.scene.SceneFile;
 import simpleray.scene.Terms;
 import simpleray.scene.WhittedIntegrator;
 
-/** A lamp that lies in a surface lights what it shines on (spec.md, section 4); what is well before the lamp blocks it. */
+/** A lamp in a surface lights the floor; a surface well before the lamp blocks it. */
 class AcceleratedIntersectorLampTest {
     private static final String MATT = "  0 0 0  1 1 1  0 0 0  1";
 
@@ -50,7 +50,7 @@ class AcceleratedIntersectorLampTest {
         return SceneFile.read(file, Reach.ANYWHERE).scene();
     }
 
-    /** {@return how bright the floor is at some places around the lamp's foot, of 1 for each} */
+    /** {@return the sum of the floor's brightness at some places around the lamp's foot, at most 1 each} */
     private static double brightness(Scene scene, double scale, double aside, boolean accelerated) {
         RayStats stats = new RayStats();
         Point eye = new Point(aside, aside + scale, aside);
@@ -84,7 +84,7 @@ class AcceleratedIntersectorLampTest {
 
     @ParameterizedTest
     @CsvSource({"1 0 1 0 y2", "2 x-3 y2 z-3 x3 y2 z-3 x0 y2 z4", "4 \"panel.obj\" x0 y2 z0 r1", "0 x0 y3 z0 r1", "3 x0 y2 z0 x0 y4 z0 r1"})
-    void aMillimetreBehindTheSurfaceItIsInTheShadow(String shape) throws IOException {
+    void aLampAMillimetreBehindTheSurfaceDoesNotLightTheFloor(String shape) throws IOException {
         for (boolean accelerated : new boolean[] {false, true}) {
             assertThat(brightness(scene(shape, 1, 0, 0.001), 1, 0, accelerated)).isZero();
         }

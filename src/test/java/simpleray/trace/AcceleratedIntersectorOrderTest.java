@@ -21,7 +21,7 @@ import simpleray.scene.Scene;
 import simpleray.scene.Sphere;
 import simpleray.scene.StandIn;
 
-/** Which objects are asked, and in which order they dim a light. */
+/** Which objects are tested, and in which order they dim a light. */
 class AcceleratedIntersectorOrderTest {
     private static final long SEED = 1984;
 
@@ -40,7 +40,7 @@ class AcceleratedIntersectorOrderTest {
     }
 
     @Test
-    void eachObjectThatIsAskedIsCountedOnce() {
+    void eachTestIsCountedOnce() {
         scene = new Scene();
         scene.setNumberObjects(5);
         scene.setObject(0, new Plane(new Material(), new Vector(0, 0, 1), -5));
@@ -72,7 +72,7 @@ class AcceleratedIntersectorOrderTest {
     /** Light that is dimmed in another order may differ in the last bit. */
     @ParameterizedTest
     @EnumSource
-    void manyGlassesDimInTheOrderOfTheScene(CompiledScene.Structure structure) {
+    void glassObjectsDimLightInTheOrderOfTheScene(CompiledScene.Structure structure) {
         Random random = new Random(SEED);
         scene = new Scene();
         scene.setNumberObjects(50);
@@ -97,7 +97,7 @@ class AcceleratedIntersectorOrderTest {
         }
     }
 
-    /** A half-space, y below -1, which no box holds and which is no plane. */
+    /** A half-space, y below -1: infinite, and no plane. */
     private static final class Ground extends StandIn {
         private final Plane surface = new Plane(new Material(), new Vector(0, 1, 0), -1);
 
@@ -117,7 +117,7 @@ class AcceleratedIntersectorOrderTest {
     }
 
     @Test
-    void whatIsInfiniteAndNoPlaneIsAskedToo() {
+    void infiniteObjectsOtherThanPlanesAreTested() {
         Material glass = new Material();
         glass.transmission = new Colour(0.5, 0.5, 0.5);
         for (Material material : new Material[] {new Material(), glass}) {

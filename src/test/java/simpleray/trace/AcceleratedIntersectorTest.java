@@ -26,7 +26,7 @@ import simpleray.scene.Scene;
 import simpleray.scene.SceneFile;
 import simpleray.scene.Sphere;
 
-/** Hits and shadows through lists of what lies in a direction, and through trees and grids, of a scene whose objects have parts. */
+/** Hits and shadows by light buffers, trees and grids, in a scene whose objects have parts. */
 class AcceleratedIntersectorTest {
     private static final long SEED = 1984;
     private static final int MANY = 4000;
@@ -105,7 +105,7 @@ class AcceleratedIntersectorTest {
     }
 
     @Test
-    void triangleByTriangleIsListedFromTheEyeAndTheLamps() {
+    void lightBuffersListEachTriangleOfAMesh() {
         CompiledScene compiled = compiled(CompiledScene.Structure.AUTO, true);
 
         assertThat(compiled.bounded).isEqualTo(5);
@@ -125,7 +125,7 @@ class AcceleratedIntersectorTest {
 
     @ParameterizedTest
     @EnumSource
-    void whatTheEyeSeesIsWhatTheLoopFinds(CompiledScene.Structure structure) {
+    void primaryRaysHitWhatTheLoopOverAllObjectsFinds(CompiledScene.Structure structure) {
         Random random = new Random(SEED);
         Hit hit = new Hit();
         Hit expected = new Hit();
@@ -147,7 +147,7 @@ class AcceleratedIntersectorTest {
 
     @ParameterizedTest
     @EnumSource
-    void whatIsLeftOfALightIsWhatTheLoopLeaves(CompiledScene.Structure structure) {
+    void shadowRaysLeaveTheSameLightAsTheLoopOverAllObjects(CompiledScene.Structure structure) {
         Random random = new Random(SEED);
         int dimmed = 0;
         int blocked = 0;
@@ -175,10 +175,10 @@ class AcceleratedIntersectorTest {
         assertThat(blocked).as("blocked").isGreaterThan(MANY / 10);
     }
 
-    /** Twelve triangles of the cube stand in the lists, two of which are hit; and so does each object in many cells of a grid. */
+    /** The lists have the twelve triangles of the cube, two of which are hit; a grid has each object in many cells. */
     @ParameterizedTest
     @EnumSource
-    void glassThatIsMetManyTimesDimsOnce(CompiledScene.Structure structure) {
+    void glassThatIsListedManyTimesDimsOnce(CompiledScene.Structure structure) {
         for (boolean buffers : new boolean[] {true, false}) {
             Intersector intersector = of(compiled(structure, buffers));
             for (int light : new int[] {LAMP, SUN}) {
@@ -192,7 +192,7 @@ class AcceleratedIntersectorTest {
     }
 
     @Test
-    void whatIsOpaqueLeavesNothing() {
+    void opaqueObjectsBlockAllLight() {
         for (boolean buffers : new boolean[] {true, false}) {
             Intersector intersector = of(compiled(CompiledScene.Structure.AUTO, buffers));
             Colour left = new Colour(1, 1, 1);
@@ -219,7 +219,7 @@ class AcceleratedIntersectorTest {
     }
 
     @Test
-    void anotherEyeSeesTheSameWithAndWithoutListsOfItsOwn() {
+    void anotherEyeSeesTheSameWithAndWithoutALightBuffer() {
         CompiledScene first = compiled(CompiledScene.Structure.AUTO, true);
         Point eye = new Point(-5, 1, 7);
         CompiledScene second = first.seenFrom(eye);
@@ -242,9 +242,9 @@ class AcceleratedIntersectorTest {
         }
     }
 
-    /** Two parts in one object and none in another are, all in all, as many as there are objects. */
+    /** An object of two parts and one of none have, together, as many parts as there are objects. */
     @Test
-    void objectsWithoutPartsAndWithTwoAreNotTakenForOnesOfOnePart() throws IOException {
+    void objectsWithNoPartOrTwoKeepTheirParts() throws IOException {
         Files.writeString(folder.resolve("square.obj"), "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nf 1 2 3 4\n");
         scene = new Scene();
         scene.setNumberObjects(12);
@@ -264,7 +264,7 @@ class AcceleratedIntersectorTest {
 
     @ParameterizedTest
     @EnumSource
-    void ofManyAtOnePlaceTheOneListedFirstIsHit(CompiledScene.Structure structure) {
+    void ofEqualObjectsTheFirstInTheSceneIsHit(CompiledScene.Structure structure) {
         scene = new Scene();
         scene.setNumberObjects(30);
         for (int i = 0; i < 30; i++) {

@@ -68,7 +68,7 @@ class CompiledSceneTest {
     }
 
     @Test
-    void raysFromFarAwayAndInAnyDirectionFindTheSame() {
+    void raysFromFarAwayFindTheSame() {
         RandomScenes scenes = new RandomScenes(SEED, folder);
         Random random = new Random(SEED);
         for (int i = 0; i < 600; i++) {
