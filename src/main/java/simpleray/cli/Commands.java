@@ -16,9 +16,6 @@ import picocli.CommandLine.HelpCommand;
 import picocli.CommandLine.TypeConversionException;
 import simpleray.pov.PovChannel;
 import simpleray.render.Accel;
-import simpleray.render.Region;
-import simpleray.render.Stage;
-import simpleray.ui.widget.Look;
 
 /** All commands, and how picocli is to read their options. */
 final class Commands {
@@ -89,15 +86,11 @@ final class Commands {
                 + "simpleray's commands and options in bash and zsh: source <(simpleray generate-completion)");
         }
         line.setExpandAtFiles(false);                         // a file name may begin with @
-        convert(line, Stage.class, word -> Values.constant(Stage.values(), word));
         convert(line, PovChannel.class, word -> Values.constant(PovChannel.values(), word));
-        convert(line, ProgressPrinter.Style.class, word -> Values.constant(ProgressPrinter.Style.values(), word));
         convert(line, Accel.class, word -> Values.constant(Accel.values(), word));
         convert(line, Stats.Format.class, word -> Values.constant(Stats.Format.values(), word));
         convert(line, ExplainCommand.Format.class, word -> Values.constant(ExplainCommand.Format.values(), word));
         convert(line, ExplainCommand.Pixel.class, Values::pixel);
-        convert(line, Look.class, word -> Values.constant(Look.values(), word));
-        convert(line, Region.class, Values::region);
         line.setParameterExceptionHandler((e, args) -> main.usage(e.getCommandLine().getCommandSpec().qualifiedName(), e.getMessage()));
         line.setExecutionExceptionHandler((e, command, result) -> main.report(e, command.getCommandSpec().qualifiedName()));
         return line;

@@ -1,25 +1,18 @@
 package simpleray.cli;
 
-import picocli.CommandLine.Option;
 import simpleray.scene.Reach;
 
 /** The option that lets a scene name files anywhere. */
-final class OutsideOption {
+final class OutsideOption extends OptionGroup {
     /** Its name. */
     static final String NAME = "--allow-outside";
 
-    @Option(names = NAME,
-        description = "The scene may also name OBJ files that are not in its own folder or below it. Only for scenes that you trust.")
-    private boolean outside;
-
-    /** Takes the option as picocli would. */
-    boolean take(String name) {
-        outside |= name.equals(NAME);
-        return name.equals(NAME);
-    }
+    private final CommandOption<Boolean> outside = add(CommandOption.flag(
+        "The scene may also name OBJ files that are not in its own folder or below it. Only for scenes that you trust.",
+        NAME));
 
     /** {@return which files the scene may name} */
     Reach reach() {
-        return outside ? Reach.ANYWHERE : Reach.FOLDER;
+        return outside.value() ? Reach.ANYWHERE : Reach.FOLDER;
     }
 }

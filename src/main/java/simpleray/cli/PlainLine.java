@@ -8,8 +8,6 @@ import java.util.Set;
  * picocli alone takes longer to start than a small picture takes to render. All else is left to picocli: help, mistakes, other commands.
  */
 final class PlainLine {
-    private static final Set<String> STANDS_ALONE = Set.of(PlainCommand.SCENE, "--quiet", "--resume", "--restart", OutsideOption.NAME);
-
     private PlainLine() {
     }
 
@@ -30,22 +28,52 @@ final class PlainLine {
     }
 
     private static boolean takesAll(PlainCommand command, String[] args) {
-        Set<String> taken = new HashSet<>();
+        Set<CommandOption<?>> taken = new HashSet<>();
+        boolean scene = false;
         for (int i = args.length > 0 && args[0].equals(command.name()) ? 1 : 0; i < args.length; i++) {
-            String name = isNoOption(args[i]) ? PlainCommand.SCENE : longName(args[i]);
-            if (!STANDS_ALONE.contains(name) && (++i == args.length || !isValue(args[i]))) {
-                return false;
+            if (isNoOption(args[i])) {
+                if (scene) {
+                    return false;
+                }
+                scene = true;
+                command.setScene(args[i]);
+                continue;
             }
-            if (!taken.add(name) || !isTaken(command, name, args[i])) {
+            CommandOption<?> option = option(command, args[i]);
+            if (option == null || !taken.add(option) || !option.isFlag() && (++i == args.length || !isValue(args[i]))
+                || !takes(option, option.isFlag() ? "true" : args[i])) {
                 return false;
             }
         }
-        return command.isComplete();
+        return (scene || !command.needsScene()) && hasRequired(command, taken);
     }
 
-    private static boolean isTaken(PlainCommand command, String name, String value) {
+    private static CommandOption<?> option(PlainCommand command, String name) {
+        for (OptionGroup group : command.options()) {
+            for (CommandOption<?> option : group.options()) {
+                if (option.names().contains(name)) {
+                    return option;
+                }
+            }
+        }
+        return null;
+    }
+
+    private static boolean hasRequired(PlainCommand command, Set<CommandOption<?>> taken) {
+        for (OptionGroup group : command.options()) {
+            for (CommandOption<?> option : group.options()) {
+                if (option.isRequired() && !taken.contains(option)) {
+                    return false;
+                }
+            }
+        }
+        return true;
+    }
+
+    private static boolean takes(CommandOption<?> option, String value) {
         try {
-            return command.take(name, value);
+            option.take(value);
+            return true;
         } catch (IllegalArgumentException e) {
             return false;                                     // picocli says what is wrong with it
         }
@@ -58,9 +86,5 @@ final class PlainLine {
     /** {@return whether a word behind an option is its value: a number may be negative} */
     private static boolean isValue(String word) {
         return isNoOption(word) || word.length() > 1 && Character.isDigit(word.charAt(1));
-    }
-
-    private static String longName(String option) {
-        return option.equals("-o") ? "--output" : option.equals("-q") ? "--quiet" : option;
     }
 }

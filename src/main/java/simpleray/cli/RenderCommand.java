@@ -13,7 +13,6 @@ import java.util.concurrent.CancellationException;
 import java.util.function.Supplier;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.ParentCommand;
 import simpleray.image.Picture;
@@ -42,9 +41,10 @@ final class RenderCommand implements PlainCommand {
     @Parameters(paramLabel = "SCENE", description = SceneArgument.DESCRIPTION)
     private String scene;
 
-    @Option(names = {"-o", "--output"}, paramLabel = "OUT.png", required = true,
-        description = "The PNG file to write; - is standard output.")
-    private String output;
+    @Mixin
+    private final OptionGroup target = new OptionGroup();
+    private final CommandOption<String> out = target.add(
+        CommandOption.text("OUT.png", "The PNG file to write; - is standard output.", "-o", "--output").required());
 
     @Mixin
     private final PictureOptions picture = new PictureOptions();
@@ -61,16 +61,21 @@ final class RenderCommand implements PlainCommand {
     @Mixin
     private final OutsideOption outside = new OutsideOption();
 
-    @Option(names = "--stats", paramLabel = "FORMAT",
-        description = "Also print what was done, on standard output (on standard error if the picture goes there): rays by kind and "
-            + "depth, tests a ray, time of each phase. FORMAT: ${COMPLETION-CANDIDATES}.")
-    private Stats.Format stats;
+    @Mixin
+    private final OptionGroup others = new OptionGroup();
+    private final CommandOption<Stats.Format> stats = others.add(CommandOption.choice(Stats.Format.values(), null, "FORMAT",
+        "Also print what was done, on standard output (on standard error if the picture goes there): rays by kind and "
+            + "depth, tests a ray, time of each phase. FORMAT: ${COMPLETION-CANDIDATES}.", "--stats"));
+    private final CommandOption<Region> region = others.add(new CommandOption<>(null, "X,Y,W,H",
+        "Only this piece of the picture: the column of its left edge, the row of its upper one, its width and height in "
+            + "pixels. They are the pixels of the whole picture.", "--region") {
+        @Override
+        Region parse(String text) {
+            return Values.region(text);
+        }
+    });
 
-    @Option(names = "--region", paramLabel = "X,Y,W,H",
-        description = "Only this piece of the picture: the column of its left edge, the row of its upper one, its width and height in "
-            + "pixels. They are the pixels of the whole picture.")
-    private Region region;
-
+    private String output;                                    // - for standard output
     private final long start = System.nanoTime();
     private double readSeconds;
 
@@ -78,29 +83,24 @@ final class RenderCommand implements PlainCommand {
     RenderCommand() {
     }
 
-    /** A command whose options are taken one by one. */
+    /** A command whose line is read without picocli. */
     RenderCommand(Main main) {
         this.main = main;
     }
 
     @Override
-    public boolean take(String name, String value) {
-        switch (name) {
-            case SCENE -> scene = value;
-            case "--output" -> output = value;
-            case "--region" -> region = Values.region(value);
-            case "--stats" -> stats = Values.constant(Stats.Format.values(), value);
-            default -> {
-                return picture.take(name, value) || stage.take(name, value) || work.take(name, value) || keep.take(name, value)
-                    || outside.take(name);
-            }
-        }
-        return true;
+    public List<OptionGroup> options() {
+        return List.of(target, picture, stage, work, keep, outside, others);
     }
 
     @Override
-    public boolean isComplete() {
-        return scene != null && output != null;
+    public void setScene(String name) {
+        scene = name;
+    }
+
+    @Override
+    public boolean needsScene() {
+        return true;
     }
 
     @Override
@@ -110,7 +110,8 @@ final class RenderCommand implements PlainCommand {
 
     @Override
     public Integer call() throws CommandException {
-        RenderRequest request = picture.request(stage.stage(), work.threads()).with(work.accel()).with(region);
+        RenderRequest request = picture.request(stage.stage(), work.threads()).with(work.accel()).with(region.value());
+        output = out.value();
         refuseOtherFormats();
         Path kept = keep.file(output);
         long begin = System.nanoTime();
@@ -212,10 +213,10 @@ final class RenderCommand implements PlainCommand {
 
     private void report(String name, Renderer renderer) throws CommandException {
         work.report(main.err(), name, renderer.picture(), Progress.seconds(start, System.nanoTime()));
-        if (stats == null) {
+        if (stats.value() == null) {
             return;
         }
-        String text = new Stats(readSeconds, renderer.stats()).text(stats);
+        String text = new Stats(readSeconds, renderer.stats()).text(stats.value());
         if (output.equals(SceneArgument.STREAM)) {
             main.err().print(text);
         } else {

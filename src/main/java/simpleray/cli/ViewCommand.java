@@ -2,9 +2,9 @@ package simpleray.cli;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.List;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.ParentCommand;
 import simpleray.image.Picture;
@@ -34,10 +34,11 @@ final class ViewCommand implements PlainCommand {
     @Mixin
     private final StageOption stage = new StageOption();
 
-    @Option(names = "--look", paramLabel = "LOOK",
-        description = "${COMPLETION-CANDIDATES}: how this window looks, system being as the desktop is set (default: as chosen in the "
-            + "window before, at first system).")
-    private Look look;
+    @Mixin
+    private final OptionGroup desktop = new OptionGroup();
+    private final CommandOption<Look> look = desktop.add(CommandOption.choice(Look.values(), null, "LOOK",
+        "${COMPLETION-CANDIDATES}: how this window looks, system being as the desktop is set (default: as chosen in the "
+            + "window before, at first system).", "--look"));
 
     @Mixin
     private final OutsideOption outside = new OutsideOption();
@@ -46,26 +47,24 @@ final class ViewCommand implements PlainCommand {
     ViewCommand() {
     }
 
-    /** A command whose options are taken one by one. */
+    /** A command whose line is read without picocli. */
     ViewCommand(Main main) {
         this.main = main;
     }
 
     @Override
-    public boolean take(String name, String value) {
-        switch (name) {
-            case SCENE -> scene = value;
-            case "--look" -> look = Values.constant(Look.values(), value);
-            default -> {
-                return picture.take(name, value) || stage.take(name, value) || outside.take(name);
-            }
-        }
-        return true;
+    public List<OptionGroup> options() {
+        return List.of(picture, stage, desktop, outside);
     }
 
     @Override
-    public boolean isComplete() {
-        return true;                                          // without a scene the window is empty
+    public void setScene(String name) {
+        scene = name;
+    }
+
+    @Override
+    public boolean needsScene() {
+        return false;                                         // without one the window is empty
     }
 
     @Override
@@ -83,7 +82,7 @@ final class ViewCommand implements PlainCommand {
         Resolution size = Setting.RESOLUTION.in(request.settings());
         HeapCheck.require("a picture of " + size.width() + 'x' + size.height(),
             Picture.bytesNeeded(size.width(), size.height()) + SCREEN * size.width() * size.height());
-        Viewer.view(source(), request, look);
+        Viewer.view(source(), request, look.value());
         return ExitCode.DONE;
     }
 

@@ -93,11 +93,7 @@ public abstract class Setting<T> {
 
         @Override
         public Integer parse(String value) {
-            try {
-                return Integer.valueOf(value);
-            } catch (NumberFormatException e) {
-                throw new IllegalArgumentException("'" + value + "' is not an int", e);
-            }
+            return Integer.valueOf(value);
         }
 
         @Override
@@ -409,6 +405,7 @@ public abstract class Setting<T> {
      * @param value the value as on a command line
      * @return the value
      * @throws IllegalArgumentException if it is none; the message says what was expected, and what was found
+     * @throws NumberFormatException if it is no integer, and ought to be one
      */
     public abstract T parse(String value);
 
