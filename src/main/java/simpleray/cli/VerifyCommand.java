@@ -1,5 +1,6 @@
 package simpleray.cli;
 
+import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
@@ -31,7 +32,7 @@ final class VerifyCommand implements Callable<Integer> {
     @ParentCommand
     private Main main;
 
-    @Parameters(paramLabel = "PICTURE.png", description = "A picture that SimpleRay has rendered.")
+    @Parameters(paramLabel = "PICTURE.png", description = "A picture that SimpleRay has rendered; - is standard input.")
     private String picture;
 
     @Option(names = "--scene", paramLabel = "FILE",
@@ -45,12 +46,19 @@ final class VerifyCommand implements Callable<Integer> {
     @Mixin
     private OutsideOption outside;
 
+    private byte[] piped;                                     // the picture, if it can be read only once; else null
+
     @Override
     public Integer call() throws CommandException {
+        if (picture.equals(SceneArgument.STREAM) && picture.equals(scene)) {
+            throw CommandException.usage("picture and scene cannot both be standard input");
+        }
         try {
             PictureScene told = told();
             RenderRequest request = Provenance.request(told, work.accel(), work.threads());
-            SceneFile file = SceneArgument.read(scene == null ? picture : scene, main.in(), null, outside.reach());
+            SceneFile file = scene != null || piped == null
+                ? SceneArgument.read(scene == null ? picture : scene, main.in(), null, outside.reach())
+                : SceneArgument.read(SceneArgument.STREAM, new ByteArrayInputStream(piped), null, outside.reach());
             requireSame(told, file);
             return compare(renderer(request, file), told);
         } catch (PictureFormatException e) {
@@ -69,11 +77,19 @@ final class VerifyCommand implements Callable<Integer> {
     }
 
     private PictureScene told() throws IOException, CommandException {
+        if (picture.equals(SceneArgument.STREAM)) {
+            piped = main.in().readAllBytes();
+            return PictureScene.read(new ByteArrayInputStream(piped), SceneArgument.told(picture));
+        }
         Path path = Path.of(picture);
         if (Files.isDirectory(path) || !Files.exists(path)) {
             throw new CommandException(ExitCode.NO_SCENE, "simpleray: " + picture + (Files.exists(path) ? ": is a folder" : ": no such file"));
         }
-        return PictureScene.read(path);
+        if (Files.isRegularFile(path)) {
+            return PictureScene.read(path);
+        }
+        piped = Files.readAllBytes(path);
+        return PictureScene.read(new ByteArrayInputStream(piped), picture);
     }
 
     /** Makes sure that scene and meshes are those of the picture, so that a difference is one of rendering. */
@@ -93,7 +109,8 @@ final class VerifyCommand implements Callable<Integer> {
         HeapCheck.require("a picture of " + rendered.width() + 'x' + rendered.height(),
             renderer.bytesNeeded() + 3L * rendered.width() * renderer.rowsAhead()
                 + PngReader.bytesNeeded(rendered.width(), rendered.height()));
-        try (PngReader rows = PngReader.open(picture)) {
+        try (PngReader rows = piped == null ? PngReader.open(picture)
+                : PngReader.open(new ByteArrayInputStream(piped), SceneArgument.told(picture))) {
             if (rows.width() != rendered.width() || rows.height() != rendered.height()) {
                 throw new PictureFormatException(picture, "is " + rows.width() + 'x' + rows.height() + ", and its options say "
                     + rendered.width() + 'x' + rendered.height());

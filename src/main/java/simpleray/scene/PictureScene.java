@@ -44,8 +44,21 @@ public record PictureScene(String file, String software, SceneSettings settings,
      */
     public static PictureScene read(Path path) throws IOException {
         try (InputStream in = Files.newInputStream(path)) {
-            return read(new PngChunks(new BufferedInputStream(in), path.toString()).begin(), path.toString());
+            return read(in, path.toString());
         }
+    }
+
+    /**
+     * Reads the description from a picture that comes as a stream.
+     *
+     * @param in the stream, which stays open
+     * @param name the picture's name, for messages
+     * @return the description
+     * @throws PictureFormatException if it is no PNG, is damaged, or has no description
+     * @throws IOException if it cannot be read
+     */
+    public static PictureScene read(InputStream in, String name) throws IOException {
+        return read(new PngChunks(new BufferedInputStream(in), name).begin(), name);
     }
 
     /** Reads what a picture tells. */

@@ -303,4 +303,24 @@ class VerifyCommandTest {
         }
         return picture;
     }
+
+    @Test
+    void aPictureMayComeByStandardInputOrByAPipe() throws IOException, InterruptedException {
+        Program.Result piped = Program.runWithInput(folder, Files.readAllBytes(picture), "verify", "-", "-q");
+        Program.Result named = Program.runWithInput(folder, Files.readAllBytes(picture), "verify", "/dev/stdin", "-q");
+        Program.Result withScene = Program.runWithInput(folder, Files.readAllBytes(picture), "verify", "-", "-q", "--scene", "thesis.scene");
+        Program.Result no = Program.runWithInput(folder, Files.readAllBytes(scene), "verify", "-", "-q");
+
+        assertThat(piped.err() + named.err() + withScene.err()).isEmpty();
+        assertThat(piped.text()).isEqualTo("-: good: all 1200 pixels are the same\n").isEqualTo(withScene.text());
+        assertThat(named.text()).isEqualTo("/dev/stdin: good: all 1200 pixels are the same\n");
+        assertThat(no.err()).isEqualTo("simpleray: <stdin>: is no PNG\n");
+        assertThat(no.exitCode()).isEqualTo(ExitCode.BAD_SCENE);
+    }
+
+    @Test
+    void standardInputIsReadOnce() {
+        assertEnds(ExitCode.USAGE, "", "simpleray verify: picture and scene cannot both be standard input (see simpleray verify --help)\n",
+            "verify", "-", "--scene", "-");
+    }
 }
