@@ -54,7 +54,7 @@ final class Commands {
 
     /** Does what a command line wants. {@return the exit code} */
     int execute(String[] args) {
-        String[] all = withCommand(args);
+        String[] all = withCommand(Arrays.stream(args).map(Commands::named).toArray(String[]::new));
         PrintWriter results = writer(main.out());             // for help, version and completion; it notes errors and throws none
         int exitCode = line(all[0]).setOut(results).setErr(writer(main.err())).execute(all);
         if (results.checkError() && exitCode == ExitCode.DONE) {
@@ -74,6 +74,24 @@ final class Commands {
         return all.toArray(new String[0]);
     }
 
+    /** {@return a word in which a file's name behind = begins with no -, so that picocli does not take it for an option} */
+    private static String named(String word) {
+        return word.matches("--(output|checkpoint|heatmap|directory|scene)=-.+") ? word.replaceFirst("=-", "=./-") : word;
+    }
+
+    /** Adds to a message what a word may stand for that was taken for an option. */
+    private static String hinted(String message, String[] args) {
+        for (String word : args) {
+            if (word.equals("--")) {
+                break;
+            }
+            if (word.matches("-.*\\.(scene|txt|png)") && !word.matches("-o.*|.*=.*")) {
+                return message + ": a file whose name begins with - is named last, behind --: -- " + word;
+            }
+        }
+        return message;
+    }
+
     /** {@return what reads a command line that begins with this word} */
     CommandLine line(String first) {
         CommandLine line = new CommandLine(main);
@@ -91,7 +109,8 @@ final class Commands {
         convert(line, Stats.Format.class, word -> Values.constant(Stats.Format.values(), word));
         convert(line, ExplainCommand.Format.class, word -> Values.constant(ExplainCommand.Format.values(), word));
         convert(line, ExplainCommand.Pixel.class, Values::pixel);
-        line.setParameterExceptionHandler((e, args) -> main.usage(e.getCommandLine().getCommandSpec().qualifiedName(), e.getMessage()));
+        line.setParameterExceptionHandler((e, args) -> main.usage(e.getCommandLine().getCommandSpec().qualifiedName(),
+            hinted(e.getMessage(), args)));
         line.setExecutionExceptionHandler((e, command, result) -> main.report(e, command.getCommandSpec().qualifiedName()));
         return line;
     }

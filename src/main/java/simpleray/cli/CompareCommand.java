@@ -40,8 +40,10 @@ final class CompareCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws CommandException {
-        if (heatmap != null && (TextOutput.isSame(one, heatmap) || TextOutput.isSame(other, heatmap))) {
-            throw CommandException.usage("the output " + heatmap + " is one of the pictures");
+        if (heatmap != null) {
+            OutputName.refuseSceneNames(heatmap);
+            OutputName.refuse(heatmap, one, "one of the pictures");
+            OutputName.refuse(heatmap, other, "one of the pictures");
         }
         try (PngReader a = open(one); PngReader b = open(other)) {
             if (a.width() != b.width() || a.height() != b.height()) {

@@ -9,6 +9,7 @@ import picocli.CommandLine.Parameters;
 import picocli.CommandLine.ParentCommand;
 import simpleray.scene.Mesh;
 import simpleray.scene.Scene;
+import simpleray.scene.SceneFile;
 
 /** Rewrites a scene in canonical form. */
 @Command(mixinStandardHelpOptions = true,
@@ -29,7 +30,10 @@ final class ConvertCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws CommandException {
-        Scene scene = SceneArgument.read(in, main.in(), main.err(), outside.reach()).scene();
+        OutputName.refusePicture(out, in);
+        SceneFile file = SceneArgument.read(in, main.in(), main.err(), outside.reach());
+        OutputName.refuseNamed(out, in, file);
+        Scene scene = file.scene();
         boolean leaves = false;
         for (int i = 0; i < scene.getNumberObjects(); i++) {
             if (scene.getObject(i) instanceof Mesh mesh) {    // its file's name is relative to the scene's folder, which may be another

@@ -13,6 +13,7 @@ import simpleray.pov.PovExporter;
 import simpleray.render.RenderRequest;
 import simpleray.render.Stage;
 import simpleray.scene.Scene;
+import simpleray.scene.SceneFile;
 import simpleray.scene.Setting;
 
 /** Writes a scene for another renderer. */
@@ -47,10 +48,10 @@ final class ExportCommand implements Callable<Integer> {
     @Override
     public Integer call() throws CommandException {
         RenderRequest request = picture.request(Stage.FINAL, 1);
-        if (TextOutput.isSame(scene, output)) {
-            throw CommandException.usage("the output " + output + " is the scene itself");
-        }
-        Scene asked = request.applyTo(SceneArgument.read(scene, main.in(), main.err(), outside.reach()).scene());
+        OutputName.refuseScene(output, scene);
+        SceneFile file = SceneArgument.read(scene, main.in(), main.err(), outside.reach());
+        OutputName.refuseNamed(output, scene, file);
+        Scene asked = request.applyTo(file.scene());
         PovExporter exported = new PovExporter(asked, asked.settings.newCamera(), Setting.DEPTH.in(asked.settings), channel);
         try {
             TextOutput.write(main, output, exported::write);

@@ -65,9 +65,15 @@ final class FiguresCommand implements Callable<Integer> {
     @Override
     public Integer call() throws CommandException {
         request = picture.request(Stage.LIGHTING, work.threads()).with(work.accel());
+        List<Figure> figures = figures();
+        for (Figure figure : figures) {
+            OutputName.refuseScene(output(figure), scene);
+        }
         file = SceneArgument.read(scene, main.in(), work.warnings(main.err()), outside.reach());
         read = file.scene();
-        List<Figure> figures = figures();
+        for (Figure figure : figures) {
+            OutputName.refuseNamed(output(figure), scene, file);
+        }
         Picture first = request.renderer(read).picture();     // its size is that of all
         List<Sheet> sheets = layouts(figures, first.width(), first.height());
         int rows = first.height() * figures.stream().mapToInt(Figure::rendered).sum();
@@ -76,7 +82,7 @@ final class FiguresCommand implements Callable<Integer> {
         List<AtomicFile> files = new ArrayList<>();
         try {
             for (Figure figure : figures) {
-                files.add(begin(output(figure)));
+                files.add(TextOutput.begin(output(figure)));
             }
             for (int i = 0; i < files.size(); i++) {
                 make(figures.get(i), sheets.get(i), files.get(i));
@@ -144,13 +150,6 @@ final class FiguresCommand implements Callable<Integer> {
         String name = scene.equals(SceneArgument.STREAM) ? "stdin" : new File(scene).getName();
         int ending = name.lastIndexOf('.');
         return Path.of(folder).resolve((ending > 0 ? name.substring(0, ending) : name) + '-' + figure.name + ".png").toString();
-    }
-
-    private AtomicFile begin(String output) throws CommandException {
-        if (TextOutput.isSame(scene, output)) {
-            throw CommandException.usage("the output " + output + " is the scene itself");
-        }
-        return TextOutput.begin(output);
     }
 
     private void make(Figure figure, Sheet sheet, AtomicFile target) throws CommandException {

@@ -6,9 +6,7 @@ import java.io.OutputStream;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
-import java.util.Set;
 import java.util.concurrent.CancellationException;
 import java.util.function.Supplier;
 import picocli.CommandLine.Command;
@@ -19,6 +17,7 @@ import simpleray.image.Picture;
 import simpleray.image.PictureText;
 import simpleray.image.png.PngWriter;
 import simpleray.io.AtomicFile;
+import simpleray.io.OutputTarget;
 import simpleray.render.PictureIdentity;
 import simpleray.render.Progress;
 import simpleray.render.Provenance;
@@ -33,8 +32,6 @@ import simpleray.scene.SceneFile;
 @Command(mixinStandardHelpOptions = true, sortOptions = false,
     description = "Renders a scene into a PNG file, without a window.")
 final class RenderCommand implements PlainCommand {
-    private static final Set<String> OTHER_FORMATS = Set.of("jpg", "jpeg", "gif", "bmp", "tif", "tiff", "webp", "ppm", "svg", "pdf");
-
     @ParentCommand
     private Main main;
 
@@ -112,11 +109,14 @@ final class RenderCommand implements PlainCommand {
     public Integer call() throws CommandException {
         RenderRequest request = picture.request(stage.stage(), work.threads()).with(work.accel()).with(region.value());
         output = out.value();
-        refuseOtherFormats();
+        OutputName.refuseOtherFormats(output);
+        OutputName.refuseSceneNames(output);
+        OutputName.refuseScene(output, scene);
         Path kept = keep.file(output);
         long begin = System.nanoTime();
         SceneFile read = SceneArgument.read(scene, main.in(), work.warnings(main.err()), outside.reach());
         readSeconds = Progress.seconds(begin, System.nanoTime());
+        OutputName.refuseNamed(output, scene, read);
         Renderer renderer = renderer(request, read.scene());
         Picture asked = renderer.picture();
         asked.tell(new Supplier<List<PictureText>>() {            // later: the digest of the scene takes a while to load
@@ -167,9 +167,6 @@ final class RenderCommand implements PlainCommand {
     }
 
     private void toFile(Renderer renderer, RenderCheckpointer checkpointer) throws CommandException {
-        if (TextOutput.isSame(scene, output)) {
-            throw CommandException.usage("the output " + output + " is the scene itself");
-        }
         try (AtomicFile file = TextOutput.begin(output)) {
             checkpointer.begin(keep, RenderCheckpointer.LATE);
             render(renderer, file.out(), checkpointer);
@@ -217,17 +214,10 @@ final class RenderCommand implements PlainCommand {
             return;
         }
         String text = new Stats(readSeconds, renderer.stats()).text(stats.value());
-        if (output.equals(SceneArgument.STREAM)) {
+        if (output.equals(SceneArgument.STREAM) || OutputTarget.isStandardOutput(Path.of(output))) {
             main.err().print(text);
         } else {
             TextOutput.say(main, text);
-        }
-    }
-
-    private void refuseOtherFormats() throws CommandException {
-        String extension = output.substring(output.lastIndexOf('.') + 1).toLowerCase(Locale.ROOT);
-        if (OTHER_FORMATS.contains(extension) && output.contains(".")) {
-            throw CommandException.usage("pictures are written as PNG only: call the output " + output + ".png?");
         }
     }
 }

@@ -86,16 +86,6 @@ final class TextOutput {
         return new CommandException(ExitCode.NO_OUTPUT, "simpleray: " + name + ": cannot be created: " + reason);
     }
 
-    /** {@return whether both name the same file, so that writing one would lose the other} */
-    static boolean isSame(String one, String other) {
-        try {
-            return !one.equals(SceneArgument.STREAM) && !other.equals(SceneArgument.STREAM)
-                && Files.exists(Path.of(other)) && Files.isSameFile(Path.of(one), Path.of(other));
-        } catch (IOException e) {
-            return false;                                     // then opening it says what is wrong
-        }
-    }
-
     /**
      * Writes to standard output.
      *

@@ -1,6 +1,8 @@
 package simpleray.scene;
 
+import java.nio.file.Path;
 import java.util.List;
+import simpleray.io.OutputTarget;
 import simpleray.io.Sha256;
 
 /**
@@ -16,6 +18,22 @@ public record SourceText(String name, String sha256, byte[] bytes, List<MeshFile
     @Override
     public String sha256() {
         return sha256 == null ? Sha256.of(bytes) : sha256;
+    }
+
+    /**
+     * Tells whether writing a file would lose one that the scene names.
+     *
+     * @param file the file's path
+     * @param folder the scene's folder
+     * @return whether it is one of them
+     */
+    public boolean names(Path file, Path folder) {
+        for (MeshFile mesh : meshes) {
+            if (OutputTarget.isSame(file, folder.resolve(mesh.name))) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /**
