@@ -5,7 +5,6 @@ import java.io.IOException;
 import java.io.PrintStream;
 import java.lang.ref.SoftReference;
 import java.nio.file.FileSystemException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -15,12 +14,12 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Supplier;
 import simpleray.image.Checkpoint;
-import simpleray.image.Picture;
 import simpleray.image.png.RowSink;
 import simpleray.io.FileInUseException;
-import simpleray.render.PictureIdentity;
+import simpleray.io.OutputTarget;
 import simpleray.render.Progress;
 import simpleray.render.Renderer;
+import simpleray.ui.picture.ShellWords;
 
 /**
  * Keeps the finished rows of a rendering in a {@link Checkpoint}, so that it can go on if it is ended. Until the time comes to begin
@@ -76,16 +75,14 @@ final class RenderCheckpointer implements RowSink, Closeable {
 
         /** {@return the command that goes on} */
         String command() {
-            StringBuilder command = new StringBuilder("simpleray");
-            List<String> words = new ArrayList<>(Arrays.asList(args));
+            List<String> words = new ArrayList<>(List.of("simpleray"));
+            words.addAll(Arrays.asList(args));
             words.removeIf("--restart"::equals);
             if (!words.contains("--resume")) {
-                words.add("--resume");
+                int end = words.indexOf("--");                // what follows is no option
+                words.add(end < 0 ? words.size() : end, "--resume");
             }
-            for (String word : words) {
-                command.append(' ').append(word.matches("[\\w@%+=:,./-]+") ? word : "'" + word.replace("'", "'\\''") + "'");
-            }
-            return command.toString();
+            return ShellWords.posix(words);
         }
     }
 
@@ -119,7 +116,7 @@ final class RenderCheckpointer implements RowSink, Closeable {
             } catch (FileInUseException e) {
                 throw new CommandException(ExitCode.BUSY, "simpleray: " + path + ": " + e.getReason());
             } catch (FileSystemException e) {
-                throw new CommandException(ExitCode.NO_OUTPUT, "simpleray: " + path + ": " + reason(e));
+                throw new CommandException(ExitCode.NO_OUTPUT, "simpleray: " + path + ": " + OutputTarget.reason(e));
             } catch (IOException e) {
                 throw new CommandException(ExitCode.NO_OUTPUT, "simpleray: " + path + ": the checkpoint cannot be used: " + e.getMessage());
             }
@@ -128,11 +125,10 @@ final class RenderCheckpointer implements RowSink, Closeable {
     }
 
     private void begin(CheckpointOptions options) throws IOException, CommandException {
-        boolean there = Files.exists(path);
-        if (!there && options.resumes()) {
-            notes.say(path + " is not there: beginning with the first row");
-        }
-        if (there && !isFree(options)) {
+        KeptRows kept = new KeptRows(path, options, renderer, notes);
+        checkpoint = kept.resume(identity);
+        known = checkpoint == null ? 0 : checkpoint.count();
+        if (!kept.isFree()) {
             return;
         }
         if (options.isNamed()) {
@@ -147,66 +143,6 @@ final class RenderCheckpointer implements RowSink, Closeable {
             };
             timer.setDaemon(true);
             timer.start();
-        }
-    }
-
-    private static String reason(FileSystemException e) {
-        return e.getReason() != null ? e.getReason() : e.getClass().getSimpleName().replace("Exception", "");
-    }
-
-    /** Looks at a file that is there, and goes on with it if that is asked for. {@return whether a new one may take its place} */
-    private boolean isFree(CheckpointOptions options) throws IOException, CommandException {
-        Map<String, String> was;
-        try {
-            was = Checkpoint.identity(path);
-        } catch (FileSystemException e) {
-            if (!options.isNamed() && !options.resumes() && !options.restarts()) {
-                return false;                                 // somebody's file that has the name by chance
-            }
-            if (options.resumes()) {
-                throw new CommandException(ExitCode.BAD_SCENE, "simpleray: " + path + ": " + reason(e));
-            }
-            throw e;
-        }
-        if (was == null || options.restarts()) {
-            if (was == null && options.resumes()) {
-                notes.say(path + " holds no row: beginning with the first");
-            }
-            Checkpoint.delete(path);
-            return true;
-        }
-        if (options.resumes()) {
-            resume(was);
-        } else if (options.isNamed()) {
-            throw new CommandException(ExitCode.NO_OUTPUT, "simpleray: " + path
-                + " holds rows of an earlier rendering: --resume goes on with them, --restart discards them");
-        } else {
-            notes.say(path + " holds rows of an earlier rendering, which --resume goes on with and --restart discards; "
-                + "this one begins with the first row, and keeps none");
-        }
-        return false;
-    }
-
-    private void resume(Map<String, String> was) throws IOException, CommandException {
-        String difference = PictureIdentity.difference(was, identity.get());
-        if (!difference.isEmpty()) {
-            throw new CommandException(ExitCode.BAD_SCENE, "simpleray: " + path + " holds rows of another picture: " + difference
-                + " (--restart discards them)");
-        }
-        Picture picture = renderer.picture();
-        Checkpoint opened = Checkpoint.open(path, was, picture.width(), picture.height());
-        known = opened.count();
-        notes.say("going on with " + known + " of " + picture.height() + " rows, kept in " + path);
-        renderer.know(y -> light(opened, y));
-        checkpoint = opened;
-    }
-
-    private static double[] light(Checkpoint checkpoint, int y) {
-        try {
-            byte[] levels = checkpoint.levels(y);
-            return levels == null ? null : Picture.light(levels);
-        } catch (IOException e) {
-            return null;                                      // then it is rendered
         }
     }
 
@@ -274,7 +210,7 @@ final class RenderCheckpointer implements RowSink, Closeable {
     }
 
     private void giveUp(IOException e) {
-        giveUp(e instanceof FileSystemException f ? reason(f) : e.getMessage());
+        giveUp(OutputTarget.reason(e));
     }
 
     /** Notes that the picture is whole: what was kept of it is not needed any more. */
@@ -297,7 +233,7 @@ final class RenderCheckpointer implements RowSink, Closeable {
                 checkpoint.close();
             }
         } catch (IOException e) {
-            notes.say(path + (done ? ": cannot be removed: " : ": ") + (e instanceof FileSystemException f ? reason(f) : e.getMessage()));
+            notes.say(path + (done ? ": cannot be removed: " : ": ") + OutputTarget.reason(e));
         }
         checkpoint = null;
     }

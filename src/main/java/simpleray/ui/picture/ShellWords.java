@@ -5,7 +5,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 
 /** Words as a shell must be given them, so that each comes out as it is. */
-final class ShellWords {
+public final class ShellWords {
     /** Words that no shell interprets. */
     private static final Pattern PLAIN = Pattern.compile("[\\p{L}\\p{N}_./:,+-][\\p{L}\\p{N}_./:,+=-]*");
     private static final Pattern PLAIN_WINDOWS = Pattern.compile("[\\p{L}\\p{N}_./:\\\\+-]+");
@@ -13,8 +13,13 @@ final class ShellWords {
     private ShellWords() {
     }
 
-    /** {@return the line for the shells of Unix} */
-    static String posix(List<String> words) {
+    /**
+     * Quotes words for the shells of Unix.
+     *
+     * @param words the words
+     * @return the line
+     */
+    public static String posix(List<String> words) {
         return words.stream().map(word -> PLAIN.matcher(word).matches() ? word : '\'' + word.replace("'", "'\\''") + '\'')
             .collect(Collectors.joining(" "));
     }
