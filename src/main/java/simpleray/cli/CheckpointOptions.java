@@ -1,6 +1,8 @@
 package simpleray.cli;
 
+import java.nio.file.FileSystemException;
 import java.nio.file.Path;
+import simpleray.io.OutputTarget;
 
 /** The options that say what becomes of the rows of a rendering that is ended before its picture is whole. */
 final class CheckpointOptions extends OptionGroup {
@@ -38,16 +40,24 @@ final class CheckpointOptions extends OptionGroup {
      */
     Path file(String output) throws CommandException {
         String named = checkpoint.value();
-        if (named == null && output.equals(SceneArgument.STREAM)) {
+        boolean stream = output.equals(SceneArgument.STREAM);
+        if (named == null && (stream || OutputTarget.isStream(Path.of(output)))) {
             if (resume.value() || restart.value()) {
                 throw CommandException.usage((restart.value() ? "--restart" : "--resume")
-                    + " needs --checkpoint FILE where the picture goes to standard output");
+                    + " needs --checkpoint FILE where the picture goes to " + (stream ? "standard output" : output));
             }
             return null;
         }
         Path file = Path.of(named == null ? output + PART : named);
         if (file.toAbsolutePath().normalize().equals(Path.of(output).toAbsolutePath().normalize())) {
             throw CommandException.usage("the checkpoint " + file + " is the output itself");
+        }
+        if (named != null) {
+            try {
+                OutputName.requireFile(named);
+            } catch (FileSystemException e) {
+                throw new CommandException(ExitCode.NO_OUTPUT, "simpleray: " + named + ": " + e.getReason());
+            }
         }
         return file;
     }

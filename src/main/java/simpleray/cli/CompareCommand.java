@@ -76,7 +76,7 @@ final class CompareCommand implements Callable<Integer> {
     }
 
     private PictureDiff compareAndDraw(PngReader a, PngReader b) throws IOException, CommandException {
-        try (AtomicFile file = TextOutput.begin(heatmap)) {
+        try (AtomicFile file = TextOutput.begin(heatmap, main.err())) {
             HeatMap map = new HeatMap(a.width(), a.height(), file.out());
             PictureDiff diff = compare(a, b, map);
             try {

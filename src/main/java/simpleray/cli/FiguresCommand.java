@@ -82,7 +82,7 @@ final class FiguresCommand implements Callable<Integer> {
         List<AtomicFile> files = new ArrayList<>();
         try {
             for (Figure figure : figures) {
-                files.add(TextOutput.begin(output(figure)));
+                files.add(TextOutput.begin(output(figure), work.warnings(main.err())));
             }
             for (int i = 0; i < files.size(); i++) {
                 make(figures.get(i), sheets.get(i), files.get(i));

@@ -133,6 +133,9 @@ final class RenderCheckpointer implements RowSink, Closeable {
         }
         if (options.isNamed()) {
             checkpoint = create(identity.get());
+            if (checkpoint.lockRefusal() != null) {
+                notes.say(path + ": " + checkpoint.lockRefusal());
+            }
         } else {
             early = new ArrayList<>();
             timer = new Thread("simpleray-checkpoint") {

@@ -167,7 +167,7 @@ final class RenderCommand implements PlainCommand {
     }
 
     private void toFile(Renderer renderer, RenderCheckpointer checkpointer) throws CommandException {
-        try (AtomicFile file = TextOutput.begin(output)) {
+        try (AtomicFile file = TextOutput.begin(output, work.warnings(main.err()))) {
             checkpointer.begin(keep, RenderCheckpointer.LATE);
             render(renderer, file.out(), checkpointer);
             file.commit();

@@ -1,13 +1,16 @@
 package simpleray.cli;
 
 import java.io.IOException;
+import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.function.Consumer;
 import simpleray.io.AtomicFile;
 import simpleray.io.FileInUseException;
+import simpleray.io.OutputTarget;
 import simpleray.text.SceneWriter;
 
 /** Writes text to a file or to standard output. */
@@ -37,7 +40,7 @@ final class TextOutput {
             }
             return;
         }
-        try (AtomicFile file = begin(name)) {
+        try (AtomicFile file = begin(name, main.err())) {
             SceneWriter writer = new SceneWriter(file.out());
             text.write(writer);
             writer.flush();
@@ -50,11 +53,21 @@ final class TextOutput {
     /**
      * Begins a file.
      *
+     * @param name its path
+     * @param notes told in what way it could not be written as files usually are; null for nobody
      * @throws CommandException if it cannot be created
      */
-    static AtomicFile begin(String name) throws CommandException {
+    static AtomicFile begin(String name, PrintStream notes) throws CommandException {
         try {
-            return new AtomicFile(Path.of(name));
+            OutputName.requireFile(name);
+            return new AtomicFile(Path.of(name), new Consumer<String>() {   // no lambda: the first one takes its time
+                @Override
+                public void accept(String note) {
+                    if (notes != null) {
+                        notes.println("simpleray: " + name + ": " + note);
+                    }
+                }
+            });
         } catch (IOException e) {
             throw notCreated(name, e);
         }
@@ -76,14 +89,10 @@ final class TextOutput {
     }
 
     private static CommandException notCreated(String name, IOException e) {
-        String reason = e.getMessage();
         if (e instanceof FileInUseException busy) {
             return new CommandException(ExitCode.BUSY, "simpleray: " + name + ": " + busy.getReason());
         }
-        if (e instanceof FileSystemException f) {
-            reason = f.getReason() != null ? f.getReason() : e.getClass().getSimpleName().replace("Exception", "");
-        }
-        return new CommandException(ExitCode.NO_OUTPUT, "simpleray: " + name + ": cannot be created: " + reason);
+        return new CommandException(ExitCode.NO_OUTPUT, "simpleray: " + name + ": cannot be created: " + OutputTarget.reason(e));
     }
 
     /**

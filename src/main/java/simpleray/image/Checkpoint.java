@@ -5,6 +5,8 @@ import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -77,7 +79,7 @@ public final class Checkpoint implements Closeable {
             if (Files.exists(path)) {                         // since somebody looked
                 throw new FileInUseException(path.toString());
             }
-            FileChannel file = FileChannel.open(path, StandardOpenOption.CREATE, StandardOpenOption.READ, StandardOpenOption.WRITE);
+            FileChannel file = begin(path);
             Checkpoint checkpoint = new Checkpoint(path, lock, file, width, height, head.length);
             try {
                 writeAll(file, ByteBuffer.wrap(head), 0);
@@ -116,6 +118,16 @@ public final class Checkpoint implements Closeable {
                 throw e;
             }
         });
+    }
+
+    private static FileChannel begin(Path path) throws IOException {
+        try {
+            return FileChannel.open(path, StandardOpenOption.CREATE_NEW, StandardOpenOption.READ, StandardOpenOption.WRITE);
+        } catch (FileAlreadyExistsException e) {              // another has made it where nothing can be locked
+            throw (IOException) new FileInUseException(path.toString()).initCause(e);
+        } catch (AccessDeniedException e) {
+            throw (IOException) new FileSystemException(path.toString(), null, "its folder is write-protected").initCause(e);
+        }
     }
 
     /** An action on a file that nobody else reads or writes. */
@@ -200,7 +212,11 @@ public final class Checkpoint implements Closeable {
 
     private synchronized void load() throws IOException {
         written = (int) Math.min(Integer.MAX_VALUE, Math.max(0, file.size() - begin) / recordBytes);
-        file.truncate(position(written));
+        try {
+            file.truncate(position(written));
+        } catch (IOException e) {
+            // then the next record is written over it
+        }
         for (int i = 0; i < written; i++) {
             int y = read(i);
             if (y != NONE && records[y] == NONE) {
@@ -270,6 +286,11 @@ public final class Checkpoint implements Closeable {
             return null;
         }
         return Arrays.copyOfRange(record.array(), Integer.BYTES, Integer.BYTES + rowBytes);
+    }
+
+    /** {@return what is to be said if the file is not locked; null if it is} */
+    public String lockRefusal() {
+        return lock.refusal();
     }
 
     /** {@return how many rows are kept} */

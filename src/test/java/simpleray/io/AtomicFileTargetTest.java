@@ -65,6 +65,9 @@ class AtomicFileTargetTest {
             Files.delete(opened);
             throw new AccessDeniedException(opened.toString());
         });
+        tricky.writing = begun -> {
+            throw new AccessDeniedException(begun.toString());
+        };
 
         assertRefused(tricky.path(target), "/pictures/picture.png: its folder is write-protected");
         assertThat(names()).isEmpty();
@@ -94,6 +97,25 @@ class AtomicFileTargetTest {
 
         assertThat(Files.readSymbolicLink(link)).hasToString("picture.png");
         assertThat(names()).containsExactly("link.png", "picture.png");
+    }
+
+    @Test
+    void aLinkToALinkToNoFileYetIsFollowedToItsEnd() throws IOException {
+        Path inner = Files.createSymbolicLink(disk.getPath("/pictures/inner.png"), disk.getPath("picture.png"));
+        Path outer = Files.createSymbolicLink(disk.getPath("/pictures/outer.png"), disk.getPath("inner.png"));
+
+        write(outer, "a picture");
+
+        assertThat(Files.readString(target)).isEqualTo("a picture");
+        assertThat(Files.isSymbolicLink(inner)).isTrue();
+        assertThat(names()).containsExactly("inner.png", "outer.png", "picture.png");
+    }
+
+    @Test
+    void aLinkToAFolderThatIsNotThereIsNoTarget() throws IOException {
+        Path link = Files.createSymbolicLink(disk.getPath("/pictures/link.png"), disk.getPath("/none/picture.png"));
+
+        assertRefused(link, "/pictures/link.png: there is no folder /none");
     }
 
     @Test

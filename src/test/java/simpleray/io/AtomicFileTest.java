@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import com.google.common.jimfs.Configuration;
 import com.google.common.jimfs.Jimfs;
+import com.google.common.jimfs.PathNormalization;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
@@ -84,7 +85,7 @@ class AtomicFileTest {
             file.out().write("whole".getBytes(StandardCharsets.US_ASCII));
             file.commit();
         }
-        assertThat(left).hasSize(2).allMatch(name -> name.matches("\\.simpleray-[0-9a-f]+\\.(part|lock)"));
+        assertThat(left).hasSize(2).allMatch(name -> name.matches("\\.simpleray-picture\\.png\\.(part|lock)"));
         assertThat(Files.readString(target)).isEqualTo("whole");
         assertThat(names()).containsExactly("picture.png");
     }
@@ -122,6 +123,51 @@ class AtomicFileTest {
             assertThat(names()).isEmpty();
         }
         assertThat(names()).isEmpty();
+    }
+
+    /** The program is told to stop while a slow disk still closes the file; then the next run has begun its own of that name. */
+    @Test
+    void whatTheEndOfTheProgramHasRemovedIsNotMoved() throws IOException {
+        Files.writeString(target, "the old picture");
+        try (AtomicFile first = new AtomicFile(target)) {
+            first.out().write("the first".getBytes(StandardCharsets.US_ASCII));
+            AtomicFile.removeBegun();
+            try (AtomicFile second = new AtomicFile(target)) {
+                assertThatThrownBy(first::commit).isInstanceOf(IOException.class).hasMessage("the program is told to stop");
+                assertThat(Files.readString(target)).isEqualTo("the old picture");
+                second.out().write("the second".getBytes(StandardCharsets.US_ASCII));
+                second.commit();
+            }
+        }
+        assertThat(Files.readString(target)).isEqualTo("the second");
+        assertThat(names()).containsExactly("picture.png");
+    }
+
+    @Test
+    void namesThatDifferInCaseAreOneWhereTheDiskIgnoresIt() throws IOException {
+        try (FileSystem other = Jimfs.newFileSystem(Configuration.unix().toBuilder().setWorkingDirectory("/pictures")
+                .setNameCanonicalNormalization(PathNormalization.CASE_FOLD_ASCII).build());
+             AtomicFile first = new AtomicFile(other.getPath("picture.png"))) {
+            assertThatThrownBy(() -> new AtomicFile(other.getPath("Picture.PNG"))).isInstanceOf(FileInUseException.class);
+            first.out().write(1);
+            first.commit();
+        }
+        try (AtomicFile first = new AtomicFile(target); AtomicFile another = new AtomicFile(disk.getPath("Picture.PNG"))) {
+            first.commit();
+            another.commit();
+        }
+        assertThat(names()).containsExactly("Picture.PNG", "picture.png");
+    }
+
+    @Test
+    void twoNamesThatAreTooLongForAnAdditionHaveEachTheirOwn() throws IOException {
+        try (AtomicFile first = new AtomicFile(target.resolveSibling("a".repeat(250)));
+             AtomicFile second = new AtomicFile(target.resolveSibling("a".repeat(251)))) {
+            assertThat(names()).hasSize(4);
+            first.commit();
+            second.commit();
+        }
+        assertThat(names()).hasSize(2);
     }
 
     @Test

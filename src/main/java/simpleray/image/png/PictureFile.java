@@ -3,6 +3,7 @@ package simpleray.image.png;
 import java.io.Closeable;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.function.Consumer;
 import simpleray.image.Picture;
 import simpleray.io.AtomicFile;
 
@@ -14,11 +15,23 @@ public final class PictureFile implements Closeable {
      * Makes sure that the file can be created, and begins it.
      *
      * @param path the target
+     * @param notes told, at the end, in what way it could not be written as files usually are; a line
+     * @throws java.nio.file.FileSystemException if it cannot be created; the reason says why
+     * @throws IOException likewise
+     */
+    public PictureFile(Path path, Consumer<String> notes) throws IOException {
+        file = new AtomicFile(path, notes);
+    }
+
+    /**
+     * Makes sure that the file can be created, and begins it. Nobody is told how.
+     *
+     * @param path the target
      * @throws java.nio.file.FileSystemException if it cannot be created; the reason says why
      * @throws IOException likewise
      */
     public PictureFile(Path path) throws IOException {
-        file = new AtomicFile(path);
+        this(path, note -> { });
     }
 
     /**

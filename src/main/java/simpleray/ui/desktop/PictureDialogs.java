@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.concurrent.Executor;
+import java.util.function.Consumer;
 import javax.swing.JFileChooser;
 import javax.swing.JFrame;
 import javax.swing.JOptionPane;
@@ -15,6 +16,7 @@ import javax.swing.filechooser.FileNameExtensionFilter;
 import simpleray.image.Picture;
 import simpleray.image.png.PictureFile;
 import simpleray.ui.file.SceneSource;
+import simpleray.ui.picture.RenderJob;
 import simpleray.ui.picture.ViewerContext;
 
 /** Asks for a scene to open, and for a place to save the picture. */
@@ -72,7 +74,9 @@ public final class PictureDialogs {
         while (chooser.showSaveDialog(frame) == JFileChooser.APPROVE_OPTION) {
             stayIn(chooser.getCurrentDirectory());
             File chosen = withExtension(chooser.getSelectedFile());
-            if (!chosen.exists() || mayReplace(chosen)) {
+            if (window.picture().job().reads(chosen.toPath())) {
+                failed(chosen.toPath(), RenderJob.READ);
+            } else if (!chosen.exists() || mayReplace(chosen)) {
                 write(picture, chosen.toPath());
                 return;
             }
@@ -84,15 +88,19 @@ public final class PictureDialogs {
         preferences.setFolder(other.toPath());
     }
 
-    /** {@return the name of a picture's file that the scene suggests} */
+    /** {@return the name of a picture's file that the scene suggests; another than that of a picture which carries the scene} */
     static String pictureName(SceneSource source) {
         String name = new File(source.name().replaceAll("[<>]", "")).getName();
         int dot = name.lastIndexOf('.');
-        return (dot > 0 ? name.substring(0, dot) : name) + ".png";
+        return (dot > 0 ? name.substring(0, dot) : name) + (isNamedPicture(name) ? "-new.png" : ".png");
+    }
+
+    private static boolean isNamedPicture(String name) {
+        return name.toLowerCase(Locale.ROOT).endsWith(".png");
     }
 
     private static File withExtension(File file) {
-        return file.getName().toLowerCase(Locale.ROOT).endsWith(".png") ? file : new File(file.getPath() + ".png");
+        return isNamedPicture(file.getName()) ? file : new File(file.getPath() + ".png");
     }
 
     private boolean mayReplace(File file) {
@@ -103,20 +111,25 @@ public final class PictureDialogs {
     /** Writes on a thread of its own. */
     private void write(Picture picture, Path path) {
         writer.execute(() -> {
-            String failure = failure(picture, path);
+            StringBuilder saved = new StringBuilder("Saved " + path);
+            String failure = failure(picture, path, note -> saved.append(": ").append(note));
             SwingUtilities.invokeLater(() -> {
                 if (failure == null) {
-                    window.say("Saved " + path);
+                    window.say(saved.toString());
                 } else {
-                    JOptionPane.showMessageDialog(frame, path + "\n" + failure, "The picture was not saved", JOptionPane.ERROR_MESSAGE);
+                    failed(path, failure);
                 }
             });
         });
     }
 
+    private void failed(Path path, String why) {
+        JOptionPane.showMessageDialog(frame, path + "\n" + why, "The picture was not saved", JOptionPane.ERROR_MESSAGE);
+    }
+
     /** {@return why the picture could not be written; null if it was} */
-    private static String failure(Picture picture, Path path) {
-        try (PictureFile file = new PictureFile(path)) {
+    private static String failure(Picture picture, Path path, Consumer<String> notes) {
+        try (PictureFile file = new PictureFile(path, notes)) {
             file.write(picture);
             return null;
         } catch (FileSystemException e) {

@@ -1,6 +1,8 @@
 package simpleray.ui.editor;
 
+import java.io.ByteArrayInputStream;
 import java.io.IOException;
+import java.io.PushbackInputStream;
 import java.nio.charset.CharacterCodingException;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
@@ -10,7 +12,9 @@ import java.util.Arrays;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import javax.swing.SwingUtilities;
+import simpleray.image.png.PngChunks;
 import simpleray.io.AtomicFile;
+import simpleray.io.MagicNumber;
 import simpleray.ui.file.SceneSource;
 
 /** Reads and writes a scene's text on a thread of the window's, and answers on the event thread. */
@@ -27,8 +31,12 @@ final class SceneDisk {
      * @param bytes the bytes of the file now; null if there is no file or it was not read
      * @param failure why it could not be read or written; null if it was
      * @param other whether nothing was written, because the file holds other bytes than expected
+     * @param note how it was written if not as files usually are, to be added to a message; mostly empty
      */
-    record Answer(byte[] bytes, String failure, boolean other) {
+    record Answer(byte[] bytes, String failure, boolean other, String note) {
+        Answer(byte[] bytes, String failure, boolean other) {
+            this(bytes, failure, other, "");
+        }
     }
 
     SceneDisk(Executor worker) {
@@ -42,9 +50,11 @@ final class SceneDisk {
             try {
                 Path path = source.path();
                 long size = path == null || !Files.exists(path) ? 0 : Files.size(path);
-                answer = size <= MAX ? new Answer(source.text(), null, false)
-                    : new Answer(null,
-                    String.format("%s is too large to be edited here: %.0f MiB", path.getFileName(), size / MEBI), false);
+                byte[] text = size <= MAX ? source.text() : null;
+                answer = size > MAX ? new Answer(null,
+                    String.format("%s is too large to be edited here: %.0f MiB", path.getFileName(), size / MEBI), false)
+                    : isPicture(text) ? new Answer(null, source.name() + " is a picture: simpleray convert makes a file of its scene", false)
+                    : new Answer(text, null, false);
             } catch (NoSuchFileException e) {
                 answer = new Answer(null, null, false);
             } catch (IOException e) {
@@ -73,12 +83,13 @@ final class SceneDisk {
                 if (now != null && !Arrays.equals(now, before) && !Arrays.equals(now, bytes)) {
                     answer = new Answer(now, null, true);
                 } else {
-                    try (AtomicFile file = new AtomicFile(path)) {
+                    StringBuilder note = new StringBuilder();
+                    try (AtomicFile file = new AtomicFile(path, line -> note.append(": ").append(line))) {
                         file.out().write(bytes);
                         file.commit();
                     }
                     wrote.run();
-                    answer = new Answer(bytes, null, false);
+                    answer = new Answer(bytes, null, false, note.toString());
                 }
             } catch (CharacterCodingException e) {
                 answer = new Answer(null, "it is not UTF-8 but ISO 8859-1, which has no such characters as were typed", false);
@@ -92,6 +103,10 @@ final class SceneDisk {
     /** Makes a file's bytes. */
     interface Maker {
         byte[] make() throws IOException;
+    }
+
+    private static boolean isPicture(byte[] text) throws IOException {
+        return text != null && PngChunks.begin(new PushbackInputStream(new ByteArrayInputStream(text), MagicNumber.LENGTH));
     }
 
     private static String reason(IOException e) {

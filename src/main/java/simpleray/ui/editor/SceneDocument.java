@@ -263,7 +263,7 @@ public final class SceneDocument {
                 if (window.picture().source() == own && text.equals(ownText)) {
                     window.picture().setSource(source);
                     window.saved(own, source);
-                    window.say("Saved " + source.path());
+                    window.say("Saved " + source.path() + answer.note());
                 } else {
                     render(source);
                 }
@@ -276,6 +276,11 @@ public final class SceneDocument {
     private void saveElsewhere(Runnable then) {
         Path path = SceneDialogs.target(window.frame());
         if (path == null) {
+            return;
+        }
+        RenderJob job = window.picture().job();
+        if (job != null && job.reads(path)) {
+            SceneDialogs.failed(window.frame(), path, RenderJob.READ);
             return;
         }
         String text = editor.text();

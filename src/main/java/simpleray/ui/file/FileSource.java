@@ -17,6 +17,7 @@ public final class FileSource implements SceneSource {
     private final Path path;
     private final Reach reach;
     private volatile FileStamp read;                          // null until then
+    private volatile String note = "";
 
     /**
      * Creates a source that reads nothing yet.
@@ -67,7 +68,8 @@ public final class FileSource implements SceneSource {
             throw refusal("It is not readable as a scene: " + e.getMessage().lines().findFirst().orElse(""), e);
         }
         requireUnchanged();                                   // else the bytes might be of the other file
-        try (AtomicFile file = new AtomicFile(path)) {
+        note = "";
+        try (AtomicFile file = new AtomicFile(path, line -> note = ": " + line)) {
             file.out().write(changed);
             file.commit();
         }
@@ -75,6 +77,11 @@ public final class FileSource implements SceneSource {
         if (Arrays.equals(Files.readAllBytes(path), changed)) {
             read = after;                                     // as read, with the change made here
         }
+    }
+
+    /** {@return in what way the file was not saved as files usually are, to be added to a message; mostly empty} */
+    public String note() {
+        return note;
     }
 
     private void requireUnchanged() throws IOException {

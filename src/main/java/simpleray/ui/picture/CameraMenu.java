@@ -169,7 +169,7 @@ public final class CameraMenu {
         if (now != null && ViewLines.of(now).equals(ViewLines.of(view))) {
             tool.adopt();                                     // unless it was moved on meanwhile
         }
-        window.say("Saved the view in " + file.name());
+        window.say("Saved the view in " + file.name() + file.note());
     }
 
     private void tell(String reason) {

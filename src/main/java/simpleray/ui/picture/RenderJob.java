@@ -1,9 +1,11 @@
 package simpleray.ui.picture;
 
 import java.io.IOException;
+import java.nio.file.Path;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.atomic.AtomicReference;
 import simpleray.image.Picture;
+import simpleray.io.OutputTarget;
 import simpleray.render.Explainer;
 import simpleray.render.OutOfMemory;
 import simpleray.render.PreparedScene;
@@ -15,6 +17,7 @@ import simpleray.render.Renderer;
 import simpleray.scene.Scene;
 import simpleray.scene.SceneFile;
 import simpleray.scene.SceneSettings;
+import simpleray.scene.SourceText;
 import simpleray.ui.file.SceneSource;
 
 /**
@@ -22,6 +25,8 @@ import simpleray.ui.file.SceneSource;
  * finished pixel runs in a queue. The window polls {@link #snapshot}; nothing here waits for it. Any thread may call.
  */
 public final class RenderJob {
+    /** Why nothing is saved under a name that {@link #reads}. */
+    public static final String READ = "The scene is read from it: choose another name";
     private static final long PATIENCE = 1000;                // milliseconds
 
     private final SceneSource source;
@@ -236,6 +241,19 @@ public final class RenderJob {
     /** {@return all that is known now} Two calls may give two answers: take one for things that belong together. */
     public Snapshot snapshot() {
         return latest.get();
+    }
+
+    /**
+     * Finds whether writing a file would overwrite the scene's own or one that the scene names.
+     *
+     * @param written the file to be written
+     * @return whether the scene is read from it
+     */
+    public boolean reads(Path written) {
+        Path path = source.path();
+        SourceText text = snapshot().loaded == null ? null : snapshot().loaded.file.text();
+        return path != null && OutputTarget.isSame(written, path)
+            || text != null && text.names(written, (path == null ? Path.of("") : path).resolveSibling(""));
     }
 
     /** {@return how far it is now} */
