@@ -1,5 +1,5 @@
 # Sourced by ./simpleray and ./check, which set $me (their name) and $root.  POSIX sh.
-# Finds, and as root on Debian or Ubuntu installs, a JDK and a Gradle.
+# Finds, and as root on Debian or Ubuntu installs, a JDK and a Gradle; on a terminal it asks before.
 # Everything here prints to stderr only; a failure ends the script with one line that says what to install.
 # shellcheck shell=sh disable=SC2015,SC2034,SC2154
 
@@ -7,9 +7,25 @@ say() { printf '%s: %s\n' "$me" "$*" >&2; }
 die() { say "$@"; exit 70; }
 have() { command -v "$1" >/dev/null 2>&1; }
 
-# install PACKAGE...: false when this is not Debian, not root, or when apt-get fails
+# agreed PACKAGE...: whether they may be installed: as $SIMPLERAY_INSTALL says, else as the user does; yes where there is no terminal
+agreed() {
+    case ${SIMPLERAY_INSTALL-} in
+        [Nn]* | 0 | false) return 1 ;;
+        [Yy]* | 1 | true) return 0 ;;
+    esac
+    [ -t 0 ] || [ -t 1 ] || [ -t 2 ] || return 0
+    [ -t 2 ] || return 1                         # nobody would see the question
+    printf '%s: install %s by apt-get? [y/N] ' "$me" "$*" >&2
+    answer=
+    if [ -t 0 ]; then read -r answer; else read -r answer 2>/dev/null </dev/tty; fi || echo >&2
+    case $answer in [Yy]*) return 0 ;; esac
+    SIMPLERAY_INSTALL=no                         # one answer is enough
+    return 1
+}
+
+# install PACKAGE...: false when this is not Debian, not root, not wanted, or when apt-get fails
 install() {
-    have apt-get && [ "$(id -u)" = 0 ] || return 1
+    have apt-get && [ "$(id -u)" = 0 ] && agreed "$@" || return 1
     say "installing $*"
     if [ -z "${apt_updated-}" ]; then
         apt-get -qq update </dev/null >&2 || say 'apt-get update failed: going on with the old lists'
@@ -76,6 +92,17 @@ find_java() {
     find_jdk 99 && java=$jdk/bin/java
 }
 
+# old_java: prints which Java there is when it is too old, in parentheses
+old_java() {
+    home=${JAVA_HOME:-/none}
+    [ -x "$home/bin/java" ] || home_of java || return 0
+    java_version "$home"
+    case $version in
+        0) printf ' (%s is none that tells its version)' "$home/bin/java" ;;
+        ? | 1[0-6]) printf ' (%s is Java %s)' "$home/bin/java" "$version" ;;
+    esac
+}
+
 # find_jdk MAX: sets $jdk to the home of a JDK (with javac) from 17 to MAX, the one in use before others
 find_jdk() {
     home_of javac
@@ -93,7 +120,7 @@ find_jdk() {
 need_jdk() {
     find_jdk "$1" && return
     { install openjdk-17-jdk || install default-jdk; } && find_jdk "$1" && return
-    die "$2: install it (Debian: apt-get install openjdk-17-jdk)"
+    die "$2$(old_java): install it (Debian: apt-get install openjdk-17-jdk)"
 }
 
 # gradle_jdk COMMAND: sets $max to the last Java that this Gradle runs on; false when it is no use
@@ -113,6 +140,8 @@ gradle_jdk() {
 
 # need_gradle: sets $gradle (a command) and $jdk (what it runs on)
 need_gradle() {
+    # that of a user whom /etc/passwd does not know would be called `?`
+    id -un >/dev/null 2>&1 || export GRADLE_USER_HOME="${GRADLE_USER_HOME:-$root/build/gradle}"
     find_jdk 17 || find_jdk 23 || need_jdk 99 'no JDK 17 or later'
     gradle=gradle
     if ! have gradle || ! gradle_jdk gradle; then

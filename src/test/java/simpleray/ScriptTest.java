@@ -10,7 +10,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.nio.file.attribute.FileTime;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -21,26 +20,18 @@ import simpleray.cli.Program;
 
 /** The script {@code simpleray} of a checkout whose jar is there: how it starts the program, and the class archive that it makes for it. */
 class ScriptTest {
-    private static final String JAVA_HOME = System.getProperty("java.home");
-
     @TempDir
     Path folder;
+    private Checkout made;
     private Path checkout;
     private Path jar;
 
     @BeforeEach
     void makeCheckout() throws IOException {
         assumeTrue(Files.isExecutable(Path.of("/bin/sh")), "no shell");
-        checkout = folder.resolve("checkout");
-        Files.createDirectories(checkout.resolve("src/main"));
-        for (String file : List.of("simpleray", "gradle/setup.sh", "scenes/thesis-as-printed.scene", "build.gradle",
-                "settings.gradle")) {
-            Files.createDirectories(checkout.resolve(file).getParent());
-            Files.copy(Project.root().resolve(file), checkout.resolve(file));
-        }
-        jar = checkout.resolve("build/libs/simpleray.jar");
-        Files.createDirectories(jar.getParent());
-        Files.copy(Project.jar(), jar);                       // the last one, so that it is up to date
+        made = new Checkout(folder.resolve("checkout"));
+        checkout = made.root;
+        jar = made.jar;
     }
 
     @Test
@@ -137,7 +128,7 @@ class ScriptTest {
         Files.createSymbolicLink(bin.resolve("one"), Path.of("../a checkout/simpleray"));
         Files.createSymbolicLink(folder.resolve("two"), bin.resolve("one"));
 
-        assertThat(run(folder.resolve("two").toString(), "", "--version").text()).startsWith("SimpleRay ");
+        assertThat(made.run(folder.resolve("two"), "", "--version").text()).startsWith("SimpleRay ");
     }
 
     private byte[] picture() throws IOException, InterruptedException {
@@ -156,17 +147,7 @@ class ScriptTest {
     }
 
     private Program.Result script(String options, String... args) throws IOException, InterruptedException {
-        return run(checkout.resolve("simpleray").toString(), options, args);
-    }
-
-    private Program.Result run(String script, String options, String... args) throws IOException, InterruptedException {
-        List<String> line = new ArrayList<>(List.of("/bin/sh", script));
-        line.addAll(List.of(args));
-        ProcessBuilder builder = new ProcessBuilder(line).directory(folder.toFile());
-        builder.environment().keySet().removeAll(List.of("DISPLAY", "JAVA_TOOL_OPTIONS", "_JAVA_OPTIONS", "JDK_JAVA_OPTIONS"));
-        builder.environment().put("JAVA_HOME", JAVA_HOME);
-        builder.environment().put("SIMPLERAY_OPTS", options);
-        return Program.finish(builder.start(), new byte[0]);
+        return made.run(options, args);
     }
 
     private List<Path> archives() {
