@@ -33,6 +33,16 @@ here=$(dirname -- "$(readlink -f -- "$0")")/../lib/simpleray
 case ${LC_ALL:-${LC_CTYPE:-${LANG:-C}}} in C | POSIX) export LC_ALL=C.UTF-8 ;; esac    # names of files need UTF-8
 options=-XX:-UsePerfData
 case ${1-} in render) options="$options -XX:+UseSerialGC -XX:NewRatio=1" ;; esac
+# A JVM that does not start for an option ends with 1, as verify does if pictures differ: it is tried, unless it would do something twice.
+case ${SIMPLERAY_OPTS-}${JAVA_TOOL_OPTIONS-}${JDK_JAVA_OPTIONS-}${_JAVA_OPTIONS-} in
+    '' | *agent* | *-Xrun* | *Archive* | *AOT* | *Recording*) ;;
+    *)
+        # shellcheck disable=SC2086
+        said=$("$here/runtime/bin/java" $options ${SIMPLERAY_OPTS-} --dry-run -jar "$here/simpleray.jar" </dev/null 2>&1) || {
+            printf 'simpleray: Java does not start: %s\n' "$said" >&2
+            exit 70
+        } ;;
+esac
 # shellcheck disable=SC2086
 exec "$here/runtime/bin/java" $options ${SIMPLERAY_OPTS-} -jar "$here/simpleray.jar" "$@"
 END

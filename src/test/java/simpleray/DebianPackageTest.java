@@ -66,6 +66,14 @@ class DebianPackageTest {
     }
 
     @Test
+    void aJavaThatDoesNotStartIs70() throws IOException, InterruptedException {
+        Program.Result result = run(Map.of("SIMPLERAY_OPTS", "-XX:Nonsense"), program(), "verify", "nothing.png");
+
+        assertThat(result.err()).startsWith("simpleray: Java does not start: Unrecognized VM option 'Nonsense'");
+        assertThat(result.exitCode()).isEqualTo(70);
+    }
+
+    @Test
     void itsWindowOpens() throws IOException, InterruptedException {
         String display = System.getenv("DISPLAY");
         assumeTrue(display != null, "no display");
