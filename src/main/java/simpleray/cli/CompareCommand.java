@@ -41,9 +41,9 @@ final class CompareCommand implements Callable<Integer> {
     @Override
     public Integer call() throws CommandException {
         if (heatmap != null) {
-            OutputName.refuseSceneNames(heatmap);
             OutputName.refuse(heatmap, one, "one of the pictures");
             OutputName.refuse(heatmap, other, "one of the pictures");
+            OutputName.refuseSceneNames(heatmap);
         }
         try (PngReader a = open(one); PngReader b = open(other)) {
             if (a.width() != b.width() || a.height() != b.height()) {

@@ -94,6 +94,20 @@ final class OutputName {
      */
     static void refuseSceneNames(String output) throws CommandException {
         refuseEndings(output, SCENES);
+        if (Files.isSymbolicLink(Path.of(output))) {
+            String name = behindLinks(output);
+            if (hasEnding(name, SCENES)) {
+                throw CommandException.usage("pictures are written as PNG only, and the output " + output + " is a link to " + name);
+            }
+        }
+    }
+
+    private static String behindLinks(String output) {
+        try {
+            return OutputTarget.file(Path.of(output)).toString();
+        } catch (IOException e) {
+            return output;                                    // then opening it says what is wrong
+        }
     }
 
     /**
@@ -107,10 +121,13 @@ final class OutputName {
     }
 
     private static void refuseEndings(String output, Set<String> endings) throws CommandException {
-        String ending = output.substring(output.lastIndexOf('.') + 1).toLowerCase(Locale.ROOT);
-        if (endings.contains(ending) && output.contains(".")) {
+        if (hasEnding(output, endings)) {
             throw CommandException.usage("pictures are written as PNG only: call the output " + output + ".png?");
         }
+    }
+
+    private static boolean hasEnding(String name, Set<String> endings) {
+        return name.contains(".") && endings.contains(name.substring(name.lastIndexOf('.') + 1).toLowerCase(Locale.ROOT));
     }
 
     private static boolean isSame(String input, String output) {

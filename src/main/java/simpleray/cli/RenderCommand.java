@@ -110,8 +110,8 @@ final class RenderCommand implements PlainCommand {
         RenderRequest request = picture.request(stage.stage(), work.threads()).with(work.accel()).with(region.value());
         output = out.value();
         OutputName.refuseOtherFormats(output);
-        OutputName.refuseSceneNames(output);
         OutputName.refuseScene(output, scene);
+        OutputName.refuseSceneNames(output);
         Path kept = keep.file(output);
         long begin = System.nanoTime();
         SceneFile read = SceneArgument.read(scene, main.in(), work.warnings(main.err()), outside.reach());

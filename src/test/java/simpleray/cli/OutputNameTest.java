@@ -69,7 +69,7 @@ class OutputNameTest {
         link("hard", scene, true);
         link("soft", scene, false);
         link("softer", folder.resolve("soft"), false);
-        for (String name : List.of("@parts/../hard", "@hard", "@soft", "@softer")) {
+        for (String name : List.of("@parts/../hard", "@hard", "@soft", "@softer", "@tetra.scene")) {
             assertRefused(line + ' ' + name, name, "is the scene itself");
         }
     }
@@ -92,11 +92,9 @@ class OutputNameTest {
     void aMeshByAnyNameIsRefused(String line) throws IOException {
         link("hard", mesh, true);
         link("soft", mesh, false);
-        for (String name : List.of("@hard", "@soft")) {
+        boolean picture = line.startsWith("render");          // is not called so anyway
+        for (String name : picture ? List.of("@hard") : List.of("@hard", "@soft", "@parts/../parts/tetra.obj")) {
             assertRefused(line + ' ' + name, name, "is read by the scene");
-        }
-        if (!line.endsWith("--progress plain -o")) {          // a picture is not called so anyway
-            assertRefused(line + " @parts/../parts/tetra.obj", "@parts/../parts/tetra.obj", "is read by the scene");
         }
     }
 
@@ -131,7 +129,7 @@ class OutputNameTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"a.scene", "A.OBJ", "a.b.mtl", "a.txt", "a.pov", "tetra.scene", "parts/tetra.obj", ".obj"})
+    @ValueSource(strings = {"a.scene", "A.OBJ", "a.b.mtl", "a.txt", "a.pov", "parts/tetra.obj", ".obj"})
     void aPictureIsNotCalledAsScenesAndMeshesAre(String name) {
         for (String line : List.of("render @tetra.scene -o", "render @none -o", "render - -o", "compare @tetra.png @tetra.png --heatmap")) {
             Program.Result result = run(line + " @" + name);
@@ -142,6 +140,22 @@ class OutputNameTest {
             assertThat(result.exitCode()).isEqualTo(ExitCode.USAGE);
         }
         assertThat(folder.resolve("a.scene")).doesNotExist();
+    }
+
+    @Test
+    void aLinkIsCalledAsWhatItLeadsTo() throws IOException {
+        Path other = Files.writeString(folder.resolve("other.scene"), "not read here");
+        link("link.png", other, false);
+        link("dangling.png", folder.resolve("none.obj"), false);
+
+        for (String name : List.of("link.png -> other.scene", "dangling.png -> none.obj")) {
+            String[] link = name.split(" -> ");
+            Program.Result result = run("render @tetra.scene -q -o @" + link[0]);
+            assertThat(result.err()).isEqualTo("simpleray render: pictures are written as PNG only, and the output " + folder.resolve(link[0])
+                + " is a link to " + folder.toRealPath().resolve(link[1]) + " (see simpleray render --help)\n");
+            assertThat(result.exitCode()).isEqualTo(ExitCode.USAGE);
+        }
+        assertThat(other).hasContent("not read here");
     }
 
     @Test
