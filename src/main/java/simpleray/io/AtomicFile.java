@@ -126,11 +126,15 @@ public final class AtomicFile implements Closeable {
         } catch (IOException e) {
             refused = e;
         }
-        if (!there) {
+        try {
+            part = there ? Files.createTempFile("simpleray-", PART) : null;
+        } catch (IOException e) {
+            refused.addSuppressed(e);
+        }
+        if (part == null) {
             throw refused instanceof AccessDeniedException
                 ? new FileSystemException(target.toString(), null, "its folder is write-protected") : refused;
         }
-        part = Files.createTempFile("simpleray-", PART);
         elsewhere = true;
         noted.add("its folder takes no new file (" + OutputTarget.reason(refused) + "): the old file is overwritten in place");
         return Files.newOutputStream(part);

@@ -4,6 +4,7 @@ import java.io.Closeable;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
+import java.nio.channels.OverlappingFileLockException;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
@@ -128,6 +129,8 @@ public final class OutputLock implements Closeable {
                 }
                 throw new IOException("permission denied");   // by the disk, which says nothing else than who has the lock would
             }
+        } catch (OverlappingFileLockException e) {            // this process has just made it under another name
+            throw (IOException) new FileInUseException(target).initCause(e);
         } catch (FileInUseException e) {
             throw e;
         } catch (IOException e) {                             // no locks here

@@ -151,9 +151,12 @@ public final class OutputTarget {
     /**
      * Finds the file that a name stands for, which need not be there.
      *
+     * @param path the name
+     * @return the file's path, behind all links
      * @throws FileSystemException if there can be no such file; the reason says why
+     * @throws IOException likewise
      */
-    static Path file(Path path) throws IOException {
+    public static Path file(Path path) throws IOException {
         Path target;
         try {
             target = path.toRealPath();

@@ -141,6 +141,20 @@ class FaultyDiskTest {
         assertOnly(out);
     }
 
+    @Test
+    void whereNoFolderTakesANewFileTheOldOneStays() throws IOException, InterruptedException {
+        writeTheOldFile();
+        ProcessBuilder program = program("create=30", "convert @ball.scene " + out);
+        program.command().add(1, "-Djava.io.tmpdir=" + folder.resolve("none"));
+
+        Program.Result result = Program.finish(program.start(), new byte[0]);
+
+        assertThat(result.err()).isEqualTo("simpleray: " + out + ": cannot be created: Read-only file system\n");
+        assertThat(result.exitCode()).isEqualTo(ExitCode.NO_OUTPUT);
+        assertThat(out).content().startsWith("the old one");
+        assertOnly(out);
+    }
+
     static Stream<String> commands() {
         return EveryOutputTest.files().stream().map(line -> line.replace("--progress plain", "-q --size 20x20"));
     }

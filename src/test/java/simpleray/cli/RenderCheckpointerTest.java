@@ -43,4 +43,12 @@ class RenderCheckpointerTest {
             .isEqualToNormalizingNewlines("simpleray: " + path + ": rows are not kept any more: there is no memory left for it\n");
         assertThat(folder).isEmptyDirectory();
     }
+
+    @Test
+    void theCommandThatGoesOnHasItsOptionBeforeNamesThatBeginWithADash() {
+        String[] args = {"render", "--restart", "-o", "my a.png", "--", "-x.scene"};
+
+        assertThat(new RenderCheckpointer.Notes(System.err, false, args).command())
+            .isEqualTo("simpleray render -o 'my a.png' --resume -- -x.scene");
+    }
 }
