@@ -104,7 +104,7 @@ class FaultyDiskTest {
             all.add(new Fault("link", errno, "", ""));
             all.add(new Fault("truncate", errno, "", ""));
         });
-        return Sample.of(all, 12);
+        return Sample.of(all, 6);
     }
 
     @ParameterizedTest
@@ -123,8 +123,12 @@ class FaultyDiskTest {
         assertOnly(out);
     }
 
+    static List<Integer> errnosOfFolders() {
+        return Sample.of(List.of(1, 13, 22, ENOSPC, 30, 95, 122), 3);
+    }
+
     @ParameterizedTest
-    @ValueSource(ints = {1, 13, 22, 28, 30, 95, 122})
+    @MethodSource("errnosOfFolders")
     void aFolderThatTakesNoNewFileHasOnlyOldOnesWritten(int errno) throws IOException, InterruptedException {
         Program.Result none = run("create=" + errno, "convert @ball.scene " + out);
 
@@ -216,8 +220,12 @@ class FaultyDiskTest {
         assertThat(kept).hasContent(InProcess.run("convert", made.resolve("ball.scene").toString(), "-").text());
     }
 
+    static List<Integer> errnosOfLocks() {
+        return Sample.of(List.of(1, 5, 13, 37, 38, 95), 2);
+    }
+
     @ParameterizedTest
-    @ValueSource(ints = {1, 5, 37, 38, 95})
+    @MethodSource("errnosOfLocks")
     void rowsAreKeptWhereNothingCanBeLocked(int errno) throws IOException, InterruptedException {
         Path rows = folder.resolve("rows");
         Program.Result result = run("lock=" + errno + " truncate=" + errno, "render @ball.scene --size 20x20 -o - --checkpoint " + rows);

@@ -19,7 +19,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -127,14 +126,19 @@ class OpenFilesTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"/dev/fd/9, is no open file", "none/, there is no folder none", "./, is a folder"})
-    void whatCannotBeOpenedIs73(String name, String reason) throws IOException, InterruptedException {
-        for (String line : (Iterable<String>) commands()::iterator) {
-            Program.Result result = bash("R " + line + ' ' + name);
-
-            assertThat(result.err()).isEqualTo("simpleray: " + name + ": cannot be created: " + reason + '\n');
-            assertThat(result.exitCode()).isEqualTo(ExitCode.NO_OUTPUT);
+    @MethodSource("commands")
+    void whatCannotBeOpenedIs73(String line) throws IOException, InterruptedException {
+        assertCannotBeCreated(bash("R " + line + " /dev/fd/9"), "/dev/fd/9", "is no open file");
+        for (String name : List.of(folder + "/none/", folder + "/")) {
+            assertCannotBeCreated(InProcess.run((line.replace("@", made + "/") + ' ' + name).split(" ")), name,
+                name.contains("none") ? "there is no folder " + folder + "/none" : "is a folder");
         }
+        assertThat(folder).isEmptyDirectory();
+    }
+
+    private static void assertCannotBeCreated(Program.Result result, String name, String reason) {
+        assertThat(result.err()).isEqualTo("simpleray: " + name + ": cannot be created: " + reason + '\n');
+        assertThat(result.exitCode()).isEqualTo(ExitCode.NO_OUTPUT);
     }
 
     @Test
