@@ -271,7 +271,7 @@ public final class Renderer {
         for (int i = 0; i < width; i++) {
             int x = (int) ((long) i * JUMP % width);
             for (int k = 0; k < count && !cancelled; k++) {
-                render(x, numbers[k], lights[k], own, colour);
+                renderPixel(x, numbers[k], lights[k], own, colour);
             }
         }
         for (int k = 0; k < count && !cancelled; k++) {
@@ -316,7 +316,7 @@ public final class Renderer {
             if (isNew) {
                 row = spare == null ? new double[3 * picture.width()] : spare;
                 spare = row;
-                render(y, row, own);
+                renderRow(y, row, own);
             }
             if (!cancelled) {
                 picture.setRow(y, row);
@@ -329,14 +329,14 @@ public final class Renderer {
         }
     }
 
-    private void render(int y, double[] light, Sampler own) {
+    private void renderRow(int y, double[] light, Sampler own) {
         Colour colour = new Colour();
         for (int x = 0; x < picture.width() && !cancelled; x++) {
-            render(x, y, light, own, colour);
+            renderPixel(x, y, light, own, colour);
         }
     }
 
-    private void render(int x, int y, double[] light, Sampler own, Colour colour) {
+    private void renderPixel(int x, int y, double[] light, Sampler own, Colour colour) {
         own.pixel(region.x() + x, region.y() + y, colour);
         light[3 * x] = colour.r;
         light[3 * x + 1] = colour.g;

@@ -204,6 +204,7 @@ class RendererPassesTest {
                 || !workersWait()) {
                 Thread.onSpinWait();
             }
+            renderer.setPaused(true);                         // a second time changes nothing
             renderer.setPaused(false);
         });
         later.start();
