@@ -12,20 +12,20 @@ import simpleray.scene.Setting;
  * @param <T> the type of its value
  */
 abstract class CommandOption<T> {
-    private final List<String> names;
-    private final String label;
-    private final String description;
-    private final T initial;
-    private T value;
-    private boolean required;
+    /** Its names, such as -o and --output. */
+    final List<String> names;
+    /** What the help calls its value; null for an option without one. */
+    final String label;
+    /** Its description in the help, in picocli's form. */
+    final String description;
+    /** Its value unless it is given; null for none. */
+    final T initial;
+    /** Whether it must be given. */
+    boolean required;
 
-    /**
-     * Declares an option.
-     *
-     * @param initial its value unless it is given; null for none
-     * @param label what the help calls its value; null for an option without one
-     * @param description its description in the help, in picocli's form
-     */
+    private T value;
+
+    /** Declares an option. */
     CommandOption(T initial, String label, String description, String... names) {
         this.names = List.of(names);
         this.label = label;
@@ -37,40 +37,28 @@ abstract class CommandOption<T> {
     /** {@return an option without a value} */
     static CommandOption<Boolean> flag(String description, String... names) {
         return new CommandOption<>(false, null, description, names) {
-            @Override
-            Boolean parse(String text) {
-                return Boolean.valueOf(text);
-            }
+            @Override Boolean parse(String text) { return Boolean.valueOf(text); }
         };
     }
 
     /** {@return an option whose value may be any text} */
     static CommandOption<String> text(String label, String description, String... names) {
         return new CommandOption<>(null, label, description, names) {
-            @Override
-            String parse(String text) {
-                return text;
-            }
+            @Override String parse(String text) { return text; }
         };
     }
 
     /** {@return an option whose value is an integer} */
     static CommandOption<Integer> integer(String label, String description, String... names) {
         return new CommandOption<>(null, label, description, names) {
-            @Override
-            Integer parse(String text) {
-                return Integer.valueOf(text);
-            }
+            @Override Integer parse(String text) { return Integer.valueOf(text); }
         };
     }
 
     /** {@return an option whose value is one of these, whatever its case} */
     static <E> CommandOption<E> choice(E[] all, E initial, String label, String description, String... names) {
         return new CommandOption<>(initial, label, description, names) {
-            @Override
-            E parse(String text) {
-                return Values.constant(all, text);
-            }
+            @Override E parse(String text) { return Values.constant(all, text); }
 
             @Override
             List<String> candidates() {
@@ -86,10 +74,7 @@ abstract class CommandOption<T> {
     /** {@return the option of a setting, which is set by it} */
     static <S> CommandOption<S> of(Setting<S> setting, SceneSettings settings) {
         return new CommandOption<>(null, setting.label(), setting.description(), setting.option()) {
-            @Override
-            S parse(String text) {
-                return setting.parse(text);
-            }
+            @Override S parse(String text) { return setting.parse(text); }
 
             @Override
             void take(String text) {
@@ -128,27 +113,7 @@ abstract class CommandOption<T> {
         return value;
     }
 
-    final List<String> names() {
-        return names;
-    }
-
-    final String label() {
-        return label;
-    }
-
-    final String description() {
-        return description;
-    }
-
-    final T initial() {
-        return initial;
-    }
-
     final boolean isFlag() {
         return label == null;
-    }
-
-    final boolean isRequired() {
-        return required;
     }
 }

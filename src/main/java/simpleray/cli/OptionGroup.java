@@ -36,8 +36,8 @@ class OptionGroup {
     /** Picocli's model of an option: a class of its own, so that a plain line loads no class of picocli. */
     private static final class Model {
         static OptionSpec of(CommandOption<?> option) {
-            OptionSpec.Builder model = OptionSpec.builder(option.names().toArray(new String[0])).description(option.description())
-                .required(option.isRequired()).setter(new ISetter() {
+            OptionSpec.Builder model = OptionSpec.builder(option.names.toArray(new String[0])).description(option.description)
+                .required(option.required).setter(new ISetter() {
                     @Override
                     public <V> V set(V value) {
                         if (value != null) {                  // as before the line is read
@@ -49,13 +49,13 @@ class OptionGroup {
             if (option.isFlag()) {
                 return model.type(boolean.class).build();
             }
-            if (option.initial() != null) {
-                model.defaultValue(option.initial().toString());
+            if (option.initial != null) {
+                model.defaultValue(option.initial.toString());
             }
             if (!option.candidates().isEmpty()) {
                 model.completionCandidates(option.candidates());
             }
-            return model.type(String.class).paramLabel(option.label()).converters(text -> checked(option, text)).build();
+            return model.type(String.class).paramLabel(option.label).converters(text -> checked(option, text)).build();
         }
 
         private static String checked(CommandOption<?> option, String text) {

@@ -1,6 +1,8 @@
 package simpleray.cli;
 
+import java.util.HashMap;
 import java.util.HashSet;
+import java.util.Map;
 import java.util.Set;
 
 /**
@@ -28,6 +30,7 @@ final class PlainLine {
     }
 
     private static boolean takesAll(PlainCommand command, String[] args) {
+        Map<String, CommandOption<?>> options = options(command);
         Set<CommandOption<?>> taken = new HashSet<>();
         boolean scene = false;
         for (int i = args.length > 0 && args[0].equals(command.name()) ? 1 : 0; i < args.length; i++) {
@@ -39,35 +42,30 @@ final class PlainLine {
                 command.setScene(args[i]);
                 continue;
             }
-            CommandOption<?> option = option(command, args[i]);
+            CommandOption<?> option = options.get(args[i]);
             if (option == null || !taken.add(option) || !option.isFlag() && (++i == args.length || !isValue(args[i]))
                 || !takes(option, option.isFlag() ? "true" : args[i])) {
                 return false;
             }
         }
-        return (scene || !command.needsScene()) && hasRequired(command, taken);
+        for (CommandOption<?> option : options.values()) {
+            if (option.required && !taken.contains(option)) {
+                return false;
+            }
+        }
+        return scene || !command.needsScene();
     }
 
-    private static CommandOption<?> option(PlainCommand command, String name) {
+    private static Map<String, CommandOption<?>> options(PlainCommand command) {
+        Map<String, CommandOption<?>> options = new HashMap<>();
         for (OptionGroup group : command.options()) {
             for (CommandOption<?> option : group.options()) {
-                if (option.names().contains(name)) {
-                    return option;
+                for (String name : option.names) {
+                    options.put(name, option);
                 }
             }
         }
-        return null;
-    }
-
-    private static boolean hasRequired(PlainCommand command, Set<CommandOption<?>> taken) {
-        for (OptionGroup group : command.options()) {
-            for (CommandOption<?> option : group.options()) {
-                if (option.isRequired() && !taken.contains(option)) {
-                    return false;
-                }
-            }
-        }
-        return true;
+        return options;
     }
 
     private static boolean takes(CommandOption<?> option, String value) {

@@ -30,15 +30,11 @@ public abstract class Setting<T> {
     public static final Setting<Resolution> RESOLUTION = new Setting<>("resolution", "--size", "WxH",
         "Width and height in pixels, 1 to " + SceneSettings.MAX_RESOLUTION + " each (default: %s).",
         new Resolution(SimpleCamera.DEFAULT_RESOLUTION, SimpleCamera.DEFAULT_RESOLUTION)) {
-        @Override
-        Resolution get(SceneSettings settings) {
-            return settings.resolution;
-        }
-
-        @Override
-        public void set(SceneSettings settings, Resolution value) {
-            settings.resolution = value;
-        }
+        @Override Resolution get(SceneSettings settings) { return settings.resolution; }
+        @Override public void set(SceneSettings settings, Resolution value) { settings.resolution = value; }
+        @Override List<?> words(Resolution value) { return List.of(value.width(), value.height()); }
+        @Override char separator() { return 'x'; }
+        @Override public boolean isAlwaysTold() { return true; }
 
         @Override
         Resolution read(SceneReader is) throws IOException {
@@ -56,54 +52,20 @@ public abstract class Setting<T> {
             }
             return new Resolution(width.intValue(), height.intValue());
         }
-
-        @Override
-        List<?> words(Resolution value) {
-            return List.of(value.width(), value.height());
-        }
-
-        @Override
-        char separator() {
-            return 'x';
-        }
-
-        @Override
-        public boolean isAlwaysTold() {
-            return true;
-        }
     };
 
     /** The most reflections of a primary ray. */
     public static final Setting<Integer> DEPTH = new Setting<>("depth", "--depth", "N",
         "The most reflections of a ray, 0 to " + SceneSettings.MAX_DEPTH + " (default: %s).", SceneSettings.DEFAULT_DEPTH) {
-        @Override
-        Integer get(SceneSettings settings) {
-            return settings.depth;
-        }
-
-        @Override
-        public void set(SceneSettings settings, Integer value) {
-            settings.depth = value;
-        }
+        @Override Integer get(SceneSettings settings) { return settings.depth; }
+        @Override public void set(SceneSettings settings, Integer value) { settings.depth = value; }
+        @Override public Integer parse(String value) { return Integer.valueOf(value); }
+        @Override List<?> words(Integer value) { return List.of(value); }
+        @Override public boolean isAlwaysTold() { return true; }
 
         @Override
         Integer read(SceneReader is) throws IOException {
             return is.readInt("number from 0 to " + SceneSettings.MAX_DEPTH, 0, SceneSettings.MAX_DEPTH);
-        }
-
-        @Override
-        public Integer parse(String value) {
-            return Integer.valueOf(value);
-        }
-
-        @Override
-        List<?> words(Integer value) {
-            return List.of(value);
-        }
-
-        @Override
-        public boolean isAlwaysTold() {
-            return true;
         }
     };
 
@@ -111,15 +73,10 @@ public abstract class Setting<T> {
     public static final Setting<Integer> SAMPLES = new Setting<>("samples", "--samples", "N",
         "N x N samples a pixel, N from 1 to " + SceneSettings.MAX_SAMPLES + " (default: %s), for smooth edges; or adaptive: "
             + "as good as 4, but only where it is needed.", 1) {
-        @Override
-        Integer get(SceneSettings settings) {
-            return settings.samples;
-        }
-
-        @Override
-        public void set(SceneSettings settings, Integer value) {
-            settings.samples = value;
-        }
+        @Override Integer get(SceneSettings settings) { return settings.samples; }
+        @Override public void set(SceneSettings settings, Integer value) { settings.samples = value; }
+        @Override List<?> words(Integer value) { return List.of(value); }
+        @Override public boolean isAlwaysTold() { return true; }
 
         @Override
         Integer read(SceneReader is) throws IOException {
@@ -135,30 +92,16 @@ public abstract class Setting<T> {
             }
             return n.intValue();
         }
-
-        @Override
-        List<?> words(Integer value) {
-            return List.of(value);
-        }
-
-        @Override
-        public boolean isAlwaysTold() {
-            return true;
-        }
     };
 
     /** The centre of projection of {@link SimpleCamera}. */
     public static final Setting<Double> COP = new Setting<>("cop", "--cop", "Z",
         "The eye is at (0, 0, Z), Z > 0 (default: %s).", SimpleCamera.DEFAULT_COP) {
-        @Override
-        Double get(SceneSettings settings) {
-            return settings.cop;
-        }
-
-        @Override
-        public void set(SceneSettings settings, Double value) {
-            settings.cop = value;
-        }
+        @Override Double get(SceneSettings settings) { return settings.cop; }
+        @Override public void set(SceneSettings settings, Double value) { settings.cop = value; }
+        @Override public Double parse(String value) { return numbers(value, 1, "a number")[0]; }
+        @Override List<?> words(Double value) { return List.of(value); }
+        @Override Set<Class<? extends Camera>> cameras() { return Set.of(SimpleCamera.class); }
 
         @Override
         Double read(SceneReader is) throws IOException {
@@ -168,35 +111,16 @@ public abstract class Setting<T> {
             }
             return cop;
         }
-
-        @Override
-        public Double parse(String value) {
-            return numbers(value, 1, "a number")[0];
-        }
-
-        @Override
-        List<?> words(Double value) {
-            return List.of(value);
-        }
-
-        @Override
-        Set<Class<? extends Camera>> cameras() {
-            return Set.of(SimpleCamera.class);
-        }
     };
 
     /** The viewport window of {@link SimpleCamera}. Its default depends on the size of the picture. */
     public static final Setting<Window> WINDOW = new Setting<>("window", "--window", "XMIN,XMAX,YMIN,YMAX",
         "The piece of the plane z = 0 that fills the picture (default: -2,2,-2,2, more along the longer side).", null) {
-        @Override
-        Window get(SceneSettings settings) {
-            return settings.window;
-        }
-
-        @Override
-        public void set(SceneSettings settings, Window value) {
-            settings.window = value;
-        }
+        @Override Window get(SceneSettings settings) { return settings.window; }
+        @Override public void set(SceneSettings settings, Window value) { settings.window = value; }
+        @Override List<?> words(Window w) { return List.of(w.xmin(), w.xmax(), w.ymin(), w.ymax()); }
+        @Override Set<Class<? extends Camera>> cameras() { return Set.of(SimpleCamera.class); }
+        @Override String unset() { return "default"; }
 
         @Override
         Window read(SceneReader is) throws IOException {
@@ -214,35 +138,15 @@ public abstract class Setting<T> {
             double[] n = numbers(value, 4, "four numbers such as -2,2,-2,2");
             return new Window(n[0], n[1], n[2], n[3]);
         }
-
-        @Override
-        List<?> words(Window w) {
-            return List.of(w.xmin(), w.xmax(), w.ymin(), w.ymax());
-        }
-
-        @Override
-        Set<Class<? extends Camera>> cameras() {
-            return Set.of(SimpleCamera.class);
-        }
-
-        @Override
-        String unset() {
-            return "default";
-        }
     };
 
     /** A {@link PerspectiveCamera}, instead of these two. */
     public static final Setting<Pose> CAMERA = new Setting<>("camera", "--camera", "EX,EY,EZ,LX,LY,LZ,FOV",
         "Instead of these two: the eye, the point it looks at, and the vertical field of view in degrees.", null) {
-        @Override
-        Pose get(SceneSettings settings) {
-            return settings.camera;
-        }
-
-        @Override
-        public void set(SceneSettings settings, Pose value) {
-            settings.camera = value;
-        }
+        @Override Pose get(SceneSettings settings) { return settings.camera; }
+        @Override public void set(SceneSettings settings, Pose value) { settings.camera = value; }
+        @Override List<?> words(Pose pose) { return List.of(pose.ex(), pose.ey(), pose.ez(), pose.lx(), pose.ly(), pose.lz(), pose.fov()); }
+        @Override Set<Class<? extends Camera>> cameras() { return Set.of(PerspectiveCamera.class); }
 
         @Override
         Pose read(SceneReader is) throws IOException {
@@ -266,30 +170,14 @@ public abstract class Setting<T> {
             }
             return pose;
         }
-
-        @Override
-        List<?> words(Pose pose) {
-            return List.of(pose.ex(), pose.ey(), pose.ez(), pose.lx(), pose.ly(), pose.lz(), pose.fov());
-        }
-
-        @Override
-        Set<Class<? extends Camera>> cameras() {
-            return Set.of(PerspectiveCamera.class);
-        }
     };
 
     /** The colour of a ray that hits nothing. */
     public static final Setting<Colour> BACKGROUND = new Setting<>("background", "--background", "R,G,B",
         "The colour where nothing is hit, 0 to 1 each (default: %s).", new Colour()) {
-        @Override
-        Colour get(SceneSettings settings) {
-            return settings.background;
-        }
-
-        @Override
-        public void set(SceneSettings settings, Colour value) {
-            settings.background = value;
-        }
+        @Override Colour get(SceneSettings settings) { return settings.background; }
+        @Override public void set(SceneSettings settings, Colour value) { settings.background = value; }
+        @Override List<?> words(Colour value) { return List.of(value.r, value.g, value.b); }
 
         @Override
         Colour read(SceneReader is) throws IOException {
@@ -305,11 +193,6 @@ public abstract class Setting<T> {
                 throw expected("numbers of 0 or more", value);
             }
             return new Colour(n[0], n[1], n[2]);
-        }
-
-        @Override
-        List<?> words(Colour value) {
-            return List.of(value.r, value.g, value.b);
         }
     };
 
@@ -382,7 +265,7 @@ public abstract class Setting<T> {
 
     /** {@return the option's description for the help} */
     public final String description() {
-        return normal == null ? description : description.replace("%s", text(normal));
+        return normal == null ? description : description.replace("%s", joined(normal, true));
     }
 
     /** {@return its value; null if it is not set} */
@@ -435,7 +318,7 @@ public abstract class Setting<T> {
 
     /** {@return what a picture's identity says if it is not set; null for nothing} */
     String unset() {
-        return normal == null ? null : joined(words(normal));
+        return normal == null ? null : joined(normal, false);
     }
 
     /** {@return whether a picture tells its default, too, if it is not set} */
@@ -534,16 +417,7 @@ public abstract class Setting<T> {
      */
     public final String text(SceneSettings settings) {
         T value = get(settings);
-        return value == null ? null : text(value);
-    }
-
-    private String text(T value) {
-        StringBuilder text = new StringBuilder();
-        for (java.lang.Object word : words(value)) {
-            boolean whole = word instanceof Double x && x == Math.rint(x) && Math.abs(x) < Integer.MAX_VALUE && !x.equals(-0.0);
-            text.append(text.length() == 0 ? "" : separator()).append(whole ? Integer.toString(((Double) word).intValue()) : word);
-        }
-        return text.toString();
+        return value == null ? null : joined(value, true);
     }
 
     /**
@@ -554,13 +428,15 @@ public abstract class Setting<T> {
      */
     public final String identity(SceneSettings settings) {
         T value = get(settings);
-        return value != null ? joined(words(value)) : isExcludedBy(settings) ? null : unset();
+        return value != null ? joined(value, false) : isExcludedBy(settings) ? null : unset();
     }
 
-    private String joined(List<?> words) {
+    /** {@return the words of a value in one; whole numbers without a fraction, if it is to be short} */
+    private String joined(T value, boolean brief) {
         StringBuilder text = new StringBuilder();
-        for (java.lang.Object word : words) {
-            text.append(text.length() == 0 ? "" : separator()).append(word);
+        for (java.lang.Object word : words(value)) {
+            boolean whole = brief && word instanceof Double x && x == Math.rint(x) && Math.abs(x) < Integer.MAX_VALUE && !x.equals(-0.0);
+            text.append(text.length() == 0 ? "" : separator()).append(whole ? Integer.toString(((Double) word).intValue()) : word);
         }
         return text.toString();
     }
