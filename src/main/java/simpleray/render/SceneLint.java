@@ -3,8 +3,10 @@ package simpleray.render;
 import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.Comparator;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import simpleray.math.Bounds;
 import simpleray.math.Colour;
 import simpleray.math.Point;
@@ -48,6 +50,8 @@ public final class SceneLint {
     private static final double NEARLY = 0.05;
     /** The number of unseen objects that get a warning each. */
     private static final int MAX_UNSEEN = 10;
+    /** The number of pairs of objects that overlap in a plane that get a warning each. */
+    private static final int MAX_OVERLAPS = 10;
     /** The most crossings of an object's surface that are counted to find whether the eye is inside. */
     private static final int MAX_CROSSINGS = 1000;
     /** Two directions that are unlikely to run along a surface. */
@@ -106,8 +110,8 @@ public final class SceneLint {
     }
 
     /**
-     * Finds the likely mistakes that a user is told unasked: as {@link #all}, but bright colours only if they are more than highlights, and
-     * nothing about large scenes.
+     * Finds the likely mistakes that a user is told unasked: as {@link #all}, but bright colours only if they are more than highlights,
+     * overlapping surfaces only if they may be seen, and nothing about large scenes.
      *
      * @param file the scene, which must not change meanwhile, with the settings of the picture
      * @param name the file's name in messages
@@ -119,6 +123,7 @@ public final class SceneLint {
     }
 
     private List<Diagnostic> find(double tolerated) {
+        warnOfOverlaps(tolerated == 0);
         trace();
         for (int i = seen.lights.nextClearBit(0); i < scene.getNumberLights(); i = seen.lights.nextClearBit(i + 1)) {
             warn(file.lineOfLight(i), "light " + (i + 1) + (scene.getLight(i).intensity.isBlack() ? " is black"
@@ -154,6 +159,51 @@ public final class SceneLint {
         for (; i < scene.getNumberObjects(); i = seen.objects.nextClearBit(i + 1)) {
             warn(file.lineOfObject(i), "object " + (i + 1) + " was" + what);
         }
+    }
+
+    private void warnOfOverlaps(boolean hiddenToo) {
+        Map<Integer, Boolean> solid = new HashMap<>();
+        List<CoplanarSurfaces.Pair> pairs = new ArrayList<>(CoplanarSurfaces.find(scene, (one, other) -> isSeen(one, other, solid)));
+        pairs.sort(Comparator.comparingInt(CoplanarSurfaces.Pair::second).thenComparingInt(CoplanarSurfaces.Pair::first));
+        List<CoplanarSurfaces.Pair> seen = pairs.stream().filter(CoplanarSurfaces.Pair::seen).toList();
+        for (CoplanarSurfaces.Pair pair : seen.subList(0, Math.min(MAX_OVERLAPS, seen.size()))) {
+            warnOfOverlap(pair, ": rounding decides which is seen, so leave a gap or drop one");
+        }
+        if (seen.size() > MAX_OVERLAPS) {
+            warn(file.lineOfObject(seen.get(MAX_OVERLAPS).second()), others(seen.size() - MAX_OVERLAPS) + " overlap in one plane");
+        }
+        int hidden = pairs.size() - seen.size();
+        if (hiddenToo && hidden > 0) {
+            warnOfOverlap(pairs.stream().filter(pair -> !pair.seen()).findFirst().orElseThrow(), ", where opaque bodies hide it"
+                + (hidden > 1 ? "; so do " + others(hidden - 1) : ""));
+        }
+    }
+
+    private void warnOfOverlap(CoplanarSurfaces.Pair pair, String rest) {
+        String who = pair.first() == pair.second() ? "faces of object " + named(pair.first())
+            : "objects " + named(pair.first()) + " and " + named(pair.second());
+        warn(file.lineOfObject(pair.second()), who + " overlap in one plane, as at " + StoryText.point(pair.place()) + rest);
+    }
+
+    private static String others(int pairs) {
+        return pairs + (pairs == 1 ? " more pair" : " more pairs") + " of objects";
+    }
+
+    private String named(int object) {
+        int line = file.lineOfObject(object);
+        return object + 1 + (line > 0 ? " (line " + line + ')' : "");
+    }
+
+    /** {@return whether an overlap of two faces may be seen} It is not if an opaque body lies on it, on the eye's side. */
+    private boolean isSeen(CoplanarSurfaces.Face one, CoplanarSurfaces.Face other, Map<Integer, Boolean> solid) {
+        boolean[] hidden = new boolean[2];                    // from below and from above, as the one's normal has it
+        for (CoplanarSurfaces.Face face : List.of(one, other)) {
+            if (!CoplanarSurfaces.isClear(scene, face) && solid.computeIfAbsent(face.object(), i -> scene.getObject(i).isSolid())) {
+                hidden[face.normal().dot(one.normal()) > 0 ? 0 : 1] = true;
+            }
+        }
+        boolean eyeAbove = one.normal().dot(camera.eye()) > one.offset();
+        return !hidden[eyeAbove ? 1 : 0];
     }
 
     private void warn(int line, String message) {

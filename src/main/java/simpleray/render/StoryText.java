@@ -187,7 +187,7 @@ public final class StoryText {
         }
     }
 
-    private static String point(Point p) {
+    static String point(Point p) {
         return '(' + number(p.x) + ' ' + number(p.y) + ' ' + number(p.z) + ')';
     }
 
