@@ -125,7 +125,7 @@ public final class Material {
         readColour(is, "transmitted", transmission);
         index = is.readDouble("refractive index");
         if (index < 1) {
-            is.reject("refractive index of 1 or more");
+            is.reject("refractive index of 1 or more (a bubble in glass: docs/pictures.md)");
         }
     }
 

@@ -84,7 +84,7 @@ class MaterialGlassTextTest {
     @CsvSource(delimiter = '|', quoteCharacter = '"', value = {
         "transmit 0 -1 0 1 | 12 | transmitted green of 0 or more, found '-1'",
         "transmit 0 0 NaN 1 | 14 | transmitted blue, found 'NaN' (numbers must be finite)",
-        "transmit 0 0 0 0.999 | 16 | refractive index of 1 or more, found '0.999'",
+        "transmit 0 0 0 0.999 | 16 | refractive index of 1 or more (a bubble in glass: docs/pictures.md), found '0.999'",
         "transmit 0 0 0 Infinity | 16 | refractive index, found 'Infinity' (numbers must be finite)"})
     void whatIsWrongWithItIsNamed(String line, int column, String expected) {
         assertThatThrownBy(() -> new Scene().read(reader("1\n0 0 0 0 1 " + MATT + '\n' + line + "\n0 0 0\n0\n"))).hasMessage(
