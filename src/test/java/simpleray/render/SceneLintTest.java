@@ -63,6 +63,12 @@ class SceneLintTest {
             .containsExactly("a:6:1: warning: light 1 reaches nothing of what 18496 rays saw");
     }
 
+    @ParameterizedTest
+    @ValueSource(strings = {"1  0 1 0  1.9", "1  1 2 0  4.1", "3  0.3 1.9 -1  0.3 9 -1  0.5", "0  0.3 2.9 -1  1"})
+    void aLightInASurfaceReachesWhatItShinesOn(String shape) throws IOException {
+        assertThat(warnings(List.of(WALL, shape + MATT), "0.5 0.5 0.5", "0  0.5 0.5 0.5  0.3 1.9 -1")).noneMatch(text -> text.contains("reaches nothing"));
+    }
+
     @Test
     void aLightMayReachWhatIsSeenInAMirrorAlone() throws IOException {
         String mirror = "1  0 0 1  -3  0 0 0  0 0 0  0.9 0.9 0.9  5\n";

@@ -92,6 +92,14 @@ class StoryTextTest {
     }
 
     @Test
+    void aLampInASurfaceReachesThePointInStoryAndView() throws IOException {
+        String scene = "2\n1 0 0 1 -2  0 0 0  1 1 1  0 0 0  1\n1 0 0 1 4  0 0 0  0 0 0  0 0 0  1\n0 0 0  1  0 1 1 1  0 0 4";
+
+        assertThat(text(scene, Stage.FINAL, 1)).startsWith("pixel 0,0 of 1x1, stage final: 1 1 1,").contains("\n        reaches the point\n");
+        assertThat(text(scene, Stage.SHADOWS, 1)).startsWith("pixel 0,0 of 1x1, stage shadows: 1 1 1,");
+    }
+
+    @Test
     void glassAppearsAsDimmingALightAndByItsRefractedRay() throws IOException {
         String text = text("""
             2
