@@ -87,6 +87,15 @@ class ExplainCommandTest {
         assertThat(result.text()).endsWith("\"mirror\":null,\"refracted\":null}}},\"refracted\":null}}}]}\n");
     }
 
+    @Test
+    void theJsonHasTheMirrorOfAMaterialThatHasOne() {
+        String scene = "1\n1 0 0 1 -2  0 0 0  0 0 0  0.5 0.5 0.5  2  mirror 0.25 0 1\n1 1 1\n0\nbackground 1 1 1\n";
+        String text = InProcess.runWithInput(scene, "explain", "-", "--pixel", "0,0", "--size", "1x1", "--format", "json").text();
+
+        assertThat(text).contains(json("'Ks':[0.5,0.5,0.5],'shininess':2.0,'mirror':[0.25,0.0,1.0],'Kt':[0.0,0.0,0.0],"))
+            .contains(json("'mirror':{'share':[0.25,0.0,1.0],'colour':[0.25,0.0,1.0],"));
+    }
+
     private static String json(String singleQuoted) {
         return singleQuoted.replace('\'', '"');
     }

@@ -38,7 +38,7 @@ class SceneHashTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"0 0 -1, 0 0 -1.0000000000000002", "0 0 -1, 0 -0.0 -1", "0.1 0.1 0.1, 0.1 0.1 0.2", "0 2 0, 0 2 1", "0  5, 0  6"})
+    @CsvSource({"0 0 -1, 0 0 -1.0000000000000002", "0 0 -1, 0 -0.0 -1", "0.1 0.1 0.1, 0.1 0.1 0.2", "0 2 0, 0 2 1", "0  5, 0  6", "0  5, 0  5 mirror 0 0 0"})
     void anyNumberCounts(String number, String other) throws IOException {
         assertThat(BALL).contains(number);
         assertThat(hash(BALL.replace(number, other))).isNotEqualTo(hash(BALL));
