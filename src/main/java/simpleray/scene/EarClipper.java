@@ -45,8 +45,8 @@ final class EarClipper {
      * @param vertices x, y, z of each vertex
      * @param corners the polygon's vertices, counted from 0
      * @param count the number of corners, 3 or more
-     * @return the corners of each triangle, as indices of the corners, running round as the polygon does; {@link #FAN} if it is convex, or so far
-     *     from flat that it has no plane to be cut in; null if it cannot be cut, since it crosses itself
+     * @return the corners of each triangle, as indices of the corners, running round as the polygon does; {@link #FAN} if that is it since it is
+     *     convex, or so far from flat that it has no plane to be cut in; null if it cannot be cut, since it crosses itself
      */
     int[] cut(double[] vertices, int[] corners, int count) {
         if (!project(vertices, corners, count)) {
@@ -61,8 +61,11 @@ final class EarClipper {
         }
         left = count;
         int first = withoutSpikes();
-        if (left < 3 || turns(first) != 1 || crosses(first)) {
+        if (left < 3 || crosses(first)) {
             return null;
+        }
+        if (turns(first) != 1) {                              // it runs round in place more than once, or crosses itself at corners
+            return isFan(count) ? FAN : null;
         }
         suspect(first);
         end = 0;
@@ -175,6 +178,16 @@ final class EarClipper {
             at = next[at];
         } while (at != first);
         return turns;
+    }
+
+    /** {@return whether no triangle of the fan from the first corner turns right} */
+    private boolean isFan(int count) {
+        for (int i = 2; i < count; i++) {
+            if (area(0, i - 1, i) < 0) {
+                return false;
+            }
+        }
+        return true;
     }
 
     /** {@return 1 or -1 if the direction passes that of the x axis to the left or to the right at a corner, else 0} */
