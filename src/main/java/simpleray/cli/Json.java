@@ -19,7 +19,8 @@ final class Json {
             + ",\"severity\":" + (problem.error() ? "\"error\"" : "\"warning\"") + ",\"message\":" + string(problem.message()) + '}';
     }
 
-    private static String string(String text) {
+    /** {@return a text as a string of JSON, in quotes} */
+    static String string(String text) {
         StringBuilder json = new StringBuilder("\"");
         text.chars().forEach(c -> {
             if (c == '"' || c == '\\') {

@@ -146,6 +146,10 @@ final class StoryJson {
     private void thing(Thing thing) {
         out.append("\"number\":").append(thing.number()).append(",\"kind\":\"").append(thing.kind()).append("\",\"line\":")
             .append(thing.line() > 0 ? Integer.toString(thing.line()) : "null");
+        if (thing.mtl() != null) {
+            out.append(",\"mtl\":{\"name\":").append(Json.string(thing.mtl().name())).append(",\"file\":").append(Json.string(thing.mtl().file()))
+                .append(",\"line\":").append(thing.mtl().line()).append('}');
+        }
     }
 
     private <T> void list(String name, List<T> all, Consumer<T> teller) {

@@ -11,6 +11,7 @@ import java.util.TreeSet;
 import simpleray.math.Bounds;
 import simpleray.math.Colour;
 import simpleray.scene.Camera;
+import simpleray.scene.Mesh;
 import simpleray.scene.Object;
 import simpleray.scene.PointLight;
 import simpleray.scene.Scene;
@@ -32,6 +33,8 @@ public final class PovExporter {
     private final Scene scene;
     private final Camera camera;
     private final PovChannel shown;
+    private final List<Object> objects = new ArrayList<>();   // of a mesh of many materials a piece for each
+    private final List<Integer> places = new ArrayList<>();   // their indices in the scene
     private final List<PovMaterial> materials = new ArrayList<>();
     private final List<String> warnings = new ArrayList<>();
     private final int depth;
@@ -49,7 +52,12 @@ public final class PovExporter {
         this.camera = camera;
         this.shown = shown;
         for (int i = 0; i < scene.getNumberObjects(); i++) {
-            materials.add(new PovMaterial(scene.getObject(i).surfaceMaterial, scene.ambient, shown, depth));
+            Object object = scene.getObject(i);
+            for (Object piece : object instanceof Mesh mesh ? mesh.pieces() : List.of(object)) {
+                objects.add(piece);
+                places.add(i);
+                materials.add(new PovMaterial(piece.surfaceMaterial, scene.ambient, shown, depth));
+            }
         }
         this.depth = commonDepth(depth);
         warnOfColours();
@@ -85,24 +93,24 @@ public final class PovExporter {
         Map<String, List<Integer>> panes = new LinkedHashMap<>();
         for (int i = 0; i < materials.size(); i++) {
             PovMaterial material = materials.get(i);
-            Object object = scene.getObject(i);
+            Object object = objects.get(i);
             String look = declared(os, names, material.look());
             if (material.dims()) {                            // the twin first: of things around the eye, the last counts
                 String shade = declared(os, names, material.shade(object.isSolid()));
-                PovWriter.shape(os, object, i);
+                PovWriter.shape(os, object, places.get(i));
                 os.writeString(" material { " + shade + " } no_image no_reflection }\n");
             }
             if (isPane(i)) {
                 panes.computeIfAbsent(look, k -> new ArrayList<>()).add(i);
                 continue;
             }
-            PovWriter.shape(os, object, i);
+            PovWriter.shape(os, object, places.get(i));
             os.writeString(" material { " + look + (material.transmits ? " } no_shadow }\n" : " } }\n"));
         }
         for (Map.Entry<String, List<Integer>> body : panes.entrySet()) {
             os.writeString("union {\n");
             for (int i : body.getValue()) {
-                PovWriter.shape(os, scene.getObject(i), i);
+                PovWriter.shape(os, objects.get(i), places.get(i));
                 os.writeString(" }\n");
             }
             os.writeString("material { " + body.getKey() + " } no_shadow }\n");
@@ -111,7 +119,7 @@ public final class PovExporter {
 
     /** {@return whether an object bends rays and is not closed itself: those of one material are taken for one closed body} */
     private boolean isPane(int i) {
-        Object object = scene.getObject(i);
+        Object object = objects.get(i);
         return materials.get(i).bends() && !object.isSolid() && object.bounds() != null;
     }
 
@@ -131,7 +139,7 @@ public final class PovExporter {
         TreeMap<Integer, List<Integer>> granted = new TreeMap<>();
         for (int i = 0; i < materials.size(); i++) {
             if (materials.get(i).follows) {
-                int grants = Math.min(most, scene.getObject(i).surfaceMaterial.reflections());
+                int grants = Math.min(most, objects.get(i).surfaceMaterial.reflections());
                 granted.computeIfAbsent(grants, k -> new ArrayList<>()).add(i);
             }
         }
@@ -170,7 +178,7 @@ public final class PovExporter {
             } else if (materials.get(i).bends()) {
                 clear.add(i);
             }
-            if (materials.get(i).dims() && holdsLight(scene.getObject(i))) {
+            if (materials.get(i).dims() && holdsLight(objects.get(i))) {
                 lit.add(i);
             }
         }
@@ -196,7 +204,7 @@ public final class PovExporter {
         TreeSet<Integer> found = new TreeSet<>();
         for (int i : which) {
             for (int j : which) {
-                if (i < j && meet(scene.getObject(i).bounds(), scene.getObject(j).bounds())) {
+                if (i < j && meet(objects.get(i).bounds(), objects.get(j).bounds())) {
                     found.add(i);
                     found.add(j);
                 }
@@ -211,10 +219,11 @@ public final class PovExporter {
     }
 
     /** Notes a warning about objects; about none of them there is none. */
-    private void warn(List<Integer> which, String verb, String verbs, String what) {
-        if (which.isEmpty()) {
+    private void warn(List<Integer> pieces, String verb, String verbs, String what) {
+        if (pieces.isEmpty()) {
             return;
         }
+        List<Integer> which = pieces.stream().map(places::get).distinct().toList();
         StringBuilder line = new StringBuilder(which.size() == 1 ? "object " : "objects ");
         for (int k = 0; k < Math.min(which.size(), MAX_NAMED); k++) {
             line.append(k == 0 ? "" : ", ").append(which.get(k) + 1);

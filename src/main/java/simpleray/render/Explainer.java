@@ -61,7 +61,7 @@ public final class Explainer {
      */
     public RayTree.Thing objectAt(int x, int y) {
         boolean hits = intersector.intersect(camera.through(x + 0.5, y + 0.5), hit);
-        return hits ? RayTreeRecorder.object(scene, hit.place) : null;
+        return hits ? RayTreeRecorder.object(scene, hit) : null;
     }
 
     /**

@@ -15,6 +15,7 @@ import simpleray.scene.RayTree.Hit;
 import simpleray.scene.RayTree.Lamp;
 import simpleray.scene.RayTree.Next;
 import simpleray.scene.RayTree.Thing;
+import simpleray.text.Diagnostic;
 
 /** Writes a pixel's story as text for people: indented lines, each below the line it belongs to. Numbers have six digits. */
 public final class StoryText {
@@ -95,7 +96,9 @@ public final class StoryText {
     }
 
     private static String named(Thing thing) {
-        return thing.number() + " (" + thing.kind() + (thing.line() > 0 ? ", line " + thing.line() : "") + ')';
+        RayTree.Mtl mtl = thing.mtl();
+        return thing.number() + " (" + thing.kind() + (thing.line() > 0 ? ", line " + thing.line() : "")
+            + (mtl == null ? "" : ", material " + Diagnostic.quoted(mtl.name()) + " of " + Diagnostic.printable(mtl.file()) + ':' + mtl.line()) + ')';
     }
 
     private void say(String text) {

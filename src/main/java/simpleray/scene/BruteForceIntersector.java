@@ -33,7 +33,7 @@ public final class BruteForceIntersector implements Intersector {
         for (int i = 0; i < scene.getNumberObjects() && !left.isBlack(); i++) {
             Object object = scene.getObject(i);
             if (object.occludes(ray, distance, scratch)) {
-                left.mult(object.surfaceMaterial.transmission);
+                left.mult(object.transmitted(ray, distance, scratch));
             }
         }
         return left.isBlack();
@@ -54,7 +54,7 @@ public final class BruteForceIntersector implements Intersector {
             Object object = scene.getObject(i);
             if (object.occludes(ray, distance, scratch)) {
                 places.add(i);
-                left.mult(object.surfaceMaterial.transmission);
+                left.mult(object.transmitted(ray, distance, scratch));
             }
         }
         return places.build().toArray();

@@ -8,6 +8,8 @@ import simpleray.math.Vector;
 public final class Interaction {
     /** The object that is hit. */
     public Object object;
+    /** Its material there. */
+    public Material material;
     /** The index of the object in the scene. */
     public int place;
     /** The distance that the ray travelled. */
@@ -36,6 +38,7 @@ public final class Interaction {
      */
     public void set(Ray ray, Hit hit, Object what) {
         object = what;
+        material = what.surfaceMaterial;
         place = hit.place;
         t = hit.t;
         Vector d = ray.direction;

@@ -2,15 +2,17 @@ package simpleray.scene;
 
 import java.io.IOException;
 import java.io.InputStream;
+import java.io.PushbackInputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Set;
+import simpleray.io.MagicNumber;
 import simpleray.text.Diagnostic;
 import simpleray.text.SceneFormatException;
 
 /**
- * Reads the lines of an OBJ file, each together with those that continue it after a {@code \} at its end, and without comments.
+ * Reads the lines of an OBJ or MTL file, each together with those that continue it after a {@code \} at its end, and without comments.
  * <em>Mutable,</em> for one thread.
  *
  * <p>The file is UTF-8 and is kept as bytes; invalid bytes are shown as U+FFFD in messages. The bytes of the current line stay in the
@@ -62,9 +64,16 @@ final class LineReader {
      *
      * @param in the file, not closed here
      * @param file its name for messages
+     * @throws SceneFormatException if the file is no text, by its first bytes
+     * @throws IOException if it cannot be read
      */
-    LineReader(InputStream in, String file) {
-        this.in = in;
+    LineReader(InputStream in, String file) throws IOException {
+        PushbackInputStream begun = new PushbackInputStream(in, MagicNumber.LENGTH);
+        String kind = MagicNumber.nameOf(begun);
+        if (kind != null) {
+            throw new SceneFormatException(List.of(new Diagnostic(file, 1, 1, true, "expected text in UTF-8, found " + kind, null)), false);
+        }
+        this.in = begun;
         this.file = file;
     }
 
@@ -242,6 +251,32 @@ final class LineReader {
             next = length;
             start = length;
         }
+    }
+
+    /** {@return the file's name for messages} */
+    String file() {
+        return file;
+    }
+
+    /** {@return the number of the line in the file, from 1} */
+    int number() {
+        return firstNumber;
+    }
+
+    /** {@return what stands from an index to the end of the line, without continuations: a name, to which blanks and {@code #} may belong} */
+    String name(int at) {
+        int from = start + at - begin;
+        int to = from;
+        while (to < next && buffer[to] != '\n' && buffer[to] != '\r') {
+            to++;
+        }
+        String name = decode(buffer, from, to).strip();
+        return isContinued() && name.endsWith("\\") ? name.substring(0, name.length() - 1).strip() : name;
+    }
+
+    /** {@return what stands from an index to the end of the line with its continuations: names, of which one may go on, too} */
+    String names(int at) {
+        return isContinued() ? text(at, end).strip() : name(at);
     }
 
     /** {@return whether the line has continuations} */

@@ -14,6 +14,9 @@ public final class Material {
     private static final String MIRROR = "mirror";
     private static final Set<String> KEYWORDS = Set.of(MIRROR, "transmit");
     private static final Set<String> ONLY_MIRROR = Set.of(MIRROR);
+    private static final String MTL = "mtl";
+    private static final Set<String> MESH_KEYWORDS = Set.of(MIRROR, "transmit", MTL);
+    private static final Set<String> MESH_MIRROR = Set.of(MIRROR, MTL);
 
     /** The share of the scene's ambient light that the surface reflects, Ka. */
     public Colour ambient = new Colour(1, 1, 1);
@@ -95,6 +98,16 @@ public final class Material {
      * @throws IOException if one is missing or below 0
      */
     public void read(SceneReader is) throws IOException {
+        read(is, KEYWORDS, ONLY_MIRROR);
+    }
+
+    /** Reads the material of a mesh. {@return whether the word {@code mtl} comes after it} */
+    boolean readOfMesh(SceneReader is) throws IOException {
+        return MTL.equals(read(is, MESH_KEYWORDS, MESH_MIRROR));
+    }
+
+    /** Reads a material. {@return the keyword after it, which is none of a material; null if there is none} */
+    private String read(SceneReader is, Set<String> keywords, Set<String> onlyMirror) throws IOException {
         readColour(is, "ambient", ambient);
         readColour(is, "diffuse", diffuse);
         readColour(is, "specular", specular);
@@ -106,8 +119,8 @@ public final class Material {
         transmission.reset();
         index = 1;
         boolean transmits = false;
-        for (String word = is.takeKeyword(KEYWORDS); word != null;
-                word = is.takeKeyword(transmits && mirror == null ? ONLY_MIRROR : KEYWORDS)) {
+        String word = is.takeKeyword(keywords);
+        for (; word != null && !word.equals(MTL); word = is.takeKeyword(transmits && mirror == null ? onlyMirror : keywords)) {
             if (word.equals(MIRROR) ? mirror != null : transmits) {
                 is.reject("keyword " + word + " only once");
             }
@@ -119,6 +132,7 @@ public final class Material {
                 readTransmission(is);
             }
         }
+        return word;
     }
 
     private void readTransmission(SceneReader is) throws IOException {

@@ -30,12 +30,19 @@ final class Materials {
     /** {@return the next material in the file, or an equal one read before} */
     Material read(SceneReader is) throws IOException {
         next.read(is);
-        int slot = slot(next);
+        Material shared = shared(next);
+        if (shared == next) {
+            next = new Material();
+        }
+        return shared;
+    }
+
+    /** {@return this material, which must not change any more, or an equal one read before} */
+    Material shared(Material read) {
+        int slot = slot(read);
         if (slot >= 0 && table[slot] != null) {
             return table[slot];
         }
-        Material read = next;
-        next = new Material();
         if (slot >= 0) {
             table[slot] = read;
             count++;

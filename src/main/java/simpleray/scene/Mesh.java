@@ -2,7 +2,13 @@ package simpleray.scene;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.IntStream;
 import simpleray.math.Bounds;
+import simpleray.math.Colour;
 import simpleray.math.Point;
 import simpleray.math.Ray;
 import simpleray.math.Vector;
@@ -13,7 +19,8 @@ import simpleray.text.SceneWriter;
 
 /**
  * The polygons of a Wavefront OBJ, scaled about its origin and then moved. Both sides are visible; inside is the side from which the
- * vertices run clockwise after scaling: a scale below 0 mirrors the mesh at the origin, and so turns it inside out.
+ * vertices run clockwise after scaling: a scale below 0 mirrors the mesh at the origin, and so turns it inside out. Its material is that of all
+ * polygons, or of those that MTL files give none.
  *
  * <p>Rays are transformed to the mesh, so that meshes of one file in a scene share its triangles.
  */
@@ -29,6 +36,7 @@ public final class Mesh extends Object {
     public double scale;
 
     private TriangleMesh mesh;
+    private MeshMaterials materials;                          // null without mtl
 
     /** Creates a mesh without triangles, to be read into. */
     public Mesh() {
@@ -103,6 +111,57 @@ public final class Mesh extends Object {
         int n = 3 * numbers[3 * triangle + corner];
         double[] all = mesh.triangles.normals();
         return new Vector(all[n], all[n + 1], all[n + 2]);
+    }
+
+    /** {@return a mesh for each material that triangles have, with these triangles alone; this mesh if all have its own} */
+    public List<Mesh> pieces() {
+        if (materials == null) {
+            return List.of(this);
+        }
+        Map<Material, IntStream.Builder> triangles = new LinkedHashMap<>();
+        for (int i = 0; i < size(); i++) {
+            triangles.computeIfAbsent(material(i), material -> IntStream.builder()).add(i);
+        }
+        List<Mesh> pieces = new ArrayList<>();
+        triangles.forEach((material, which) -> pieces.add(new Mesh(material, file, offset, scale, mesh.triangles.some(which.build().toArray()))));
+        return pieces;
+    }
+
+    /** {@return where a material stands in an MTL file; null for the mesh's own} */
+    RayTree.Mtl origin(Material material) {
+        return materials == null ? null : materials.origin(material);
+    }
+
+    /** {@return the materials of its MTL files; null if it is to have none} */
+    MeshMaterials materials() {
+        return materials;
+    }
+
+    @Override
+    public Material material(int part) {
+        Material other = materials == null ? null : materials.get(materials.number(part));
+        return other == null ? surfaceMaterial : other;
+    }
+
+    @Override
+    public boolean isOpaque() {
+        return super.isOpaque() && (materials == null || materials.areOpaque());
+    }
+
+    /** {@inheritDoc} Each of its materials that is hit counts once, as if its polygons were an object of their own. */
+    @Override
+    public Colour transmitted(Ray ray, double distance, Hit scratch) {
+        if (materials == null) {
+            return surfaceMaterial.transmission;
+        }
+        boolean[] met = ready(ray, scratch).crossed(distance);
+        Colour left = new Colour(1, 1, 1);
+        for (int i = 0; i < met.length; i++) {
+            if (met[i]) {
+                left.mult((i < met.length - 1 ? materials.get(i) : surfaceMaterial).transmission);
+            }
+        }
+        return left;
     }
 
     /** {@return the triangles, which other meshes may share} */
@@ -225,6 +284,9 @@ public final class Mesh extends Object {
         } else {
             at.normal.copy(at.outward);
         }
+        if (materials != null) {
+            at.material = material(hit.part);
+        }
     }
 
     @Override
@@ -257,6 +319,7 @@ public final class Mesh extends Object {
         offset.print(os);
         os.writeString(", scaled by ");
         os.writeDouble(scale);
+        os.writeString(materials == null ? "" : ", with the materials of its MTL files");
         os.writeNewline();
         surfaceMaterial.print(os);
     }
@@ -279,7 +342,10 @@ public final class Mesh extends Object {
         } else if (largest(mesh.box) * Math.abs(scale) * (1 - ROUNDINGS) > Lengths.MAX) {
             is.reject("scale that leaves the mesh's coordinates from -1e100 to 1e100");
         }
-        readMaterial(is);
+        Material own = new Material();
+        boolean mtl = own.readOfMesh(is);
+        surfaceMaterial = is.kept(Materials.class, Materials.MAKER).shared(own);
+        materials = mtl ? MeshFiles.of(is).materials(is, file, mesh, surfaceMaterial) : null;
     }
 
     private static double largest(double[] box) {
@@ -300,5 +366,6 @@ public final class Mesh extends Object {
         os.writeDouble(scale);
         os.writeString("  ");
         surfaceMaterial.write(os);
+        os.writeString(materials == null ? "" : "  mtl");
     }
 }

@@ -2,20 +2,15 @@ package simpleray.scene;
 
 import java.io.IOException;
 import java.io.InputStream;
-import java.io.PushbackInputStream;
-import java.nio.file.AccessDeniedException;
 import java.nio.file.FileSystemException;
-import java.nio.file.Files;
-import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.security.DigestInputStream;
 import java.util.Arrays;
 import java.util.HashMap;
-import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import java.util.function.Consumer;
-import simpleray.io.MagicNumber;
 import simpleray.io.Sha256;
 import simpleray.text.BadNumber;
 import simpleray.text.Diagnostic;
@@ -31,6 +26,8 @@ import simpleray.text.SceneFormatException;
  * v  x y z                           a vertex; a weight or a colour after it is skipped
  * vn x y z                           a normal, of any length
  * f  v/vt/vn v/vt/vn v/vt/vn ...     a polygon: indices of vertices, textures and normals; also v, v/vt and v//vn
+ * usemtl name                        the material of the polygons that follow
+ * mtllib name ...                    the files of the materials
  * </pre>
  * Numbers have the form of a scene file. An index counts from 1, or backwards from -1, the things above its line. {@code fo} is an old word for
  * {@code f}. What a picture does not need (a normal that is 0, not finite or not there; a polygon of fewer than three corners; a vertex that is not
@@ -68,7 +65,8 @@ final class ObjReader {
     private int[] cornerNormals = new int[MIN_CORNERS + 1];   // and its normals, or NONE of each
     private int cornerCount;
     private boolean lacksNormals;                             // it names one that is not there
-    private final double[] cross = new double[3];
+    private final MaterialRuns runs = new MaterialRuns();
+    private final double[] cross = new double[3];             // of a triangle's edges
     private final double[] second = new double[3];
     private final EarClipper clipper = new EarClipper();
 
@@ -107,45 +105,23 @@ final class ObjReader {
      * @throws IOException if it cannot be read
      */
     static Triangles read(Path path, Consumer<Diagnostic> warnings, Consumer<String> digest) throws IOException {
-        if (Files.isDirectory(path)) {
-            throw new FileSystemException(path.toString(), null, "is a folder");
-        }
-        if (Files.exists(path) && !Files.isRegularFile(path)) {   // a pipe or a device may never end
-            throw new FileSystemException(path.toString(), null, "is no regular file");
-        }
-        try (DigestInputStream in = new DigestInputStream(Files.newInputStream(path), Sha256.begin())) {
+        try (DigestInputStream in = MeshFiles.open(path)) {
             Triangles read = read(in, path.toString(), warnings);
             digest.accept(Sha256.hex(in.getMessageDigest().digest()));
             return read;
-        } catch (NoSuchFileException | AccessDeniedException e) {
-            String reason = e instanceof NoSuchFileException ? "no such file" : "may not be read";
-            throw (IOException) new FileSystemException(path.toString(), null, reason).initCause(e);
         }
     }
 
     /** Reads the text of an OBJ; messages call it by this name. */
     static Triangles read(InputStream in, String name, Consumer<Diagnostic> warnings) throws IOException {
-        PushbackInputStream begun = new PushbackInputStream(in, MagicNumber.LENGTH);
-        String kind = MagicNumber.nameOf(begun);
-        if (kind != null) {
-            String message = "expected text in UTF-8, found " + kind;
-            throw new SceneFormatException(List.of(new Diagnostic(name, 1, 1, true, message, null)), false);
-        }
-        ObjReader reader = new ObjReader(new LineReader(begun, name));
+        ObjReader reader = new ObjReader(new LineReader(in, name));
         while (reader.lines.read()) {
             reader.readLine();
             if (reader.lines.isContinued()) {
-                reader.warnOfJoined();
+                reader.joined.addJoined(reader.lines, KEYWORDS);
             }
         }
         return reader.triangles(warnings);
-    }
-
-    private void warnOfJoined() {
-        Diagnostic place = lines.warningOfJoined(KEYWORDS);
-        if (place != null) {
-            joined.add(place);
-        }
     }
 
     private void readLine() throws SceneFormatException {
@@ -166,6 +142,16 @@ final class ObjReader {
             readPolygon();
         } else if (at - keyword == 2 && first == 'v' && (bytes[keyword + 1] | ' ') == 'n') {
             readNormal();
+        } else if (first == 'u' || first == 'm') {
+            readMaterial(lines.text(keyword, at).toLowerCase(Locale.ROOT));
+        }
+    }
+
+    private void readMaterial(String keyword) {
+        if (keyword.equals("usemtl")) {
+            runs.begin(triangleEnd / 3, lines.name(at), lines);
+        } else if (keyword.equals("mtllib")) {
+            runs.libraries.add(new MaterialRuns.Name(lines.names(at), lines.warning("")));
         }
     }
 
@@ -280,12 +266,12 @@ final class ObjReader {
             triangleNormals = new int[triangles.length];
             Arrays.fill(triangleNormals, 0, triangleEnd, NONE);
         }
-        if (cornerCount > MIN_CORNERS && !isFan()) {
-            addUnusualPolygon();
-            return;
-        }
-        for (int i = 2; i < cornerCount; i++) {
-            addTriangle(0, i - 1, i);
+        if (cornerCount == MIN_CORNERS) {
+            addTriangle(0, 1, 2, cross);
+        } else if (cornerCount == MIN_CORNERS + 1) {
+            addQuadrangle();
+        } else {
+            addPolygon();
         }
     }
 
@@ -381,35 +367,39 @@ final class ObjReader {
         cornerNormals[cornerCount++] = normal;
     }
 
-    /** {@return whether the polygon surely is the fan from its first corner} So is one of four corners whose two triangles face one way. */
-    private boolean isFan() {
-        return cornerCount == MIN_CORNERS + 1
-            && (!Triangles.cross(vertices, 3 * corners[0], 3 * corners[1], 3 * corners[2], cross)
-                || !Triangles.cross(vertices, 3 * corners[0], 3 * corners[2], 3 * corners[3], second)
-                || cross[0] * second[0] + cross[1] * second[1] + cross[2] * second[2] > 0);
+    /** Adds a polygon of four corners. It is its fan if the two triangles face one way, or one of them is flat. */
+    private void addQuadrangle() {
+        int before = triangleEnd;
+        addTriangle(0, 1, 2, cross);
+        addTriangle(0, 2, 3, second);
+        boolean one = cross[0] * second[0] + cross[1] * second[1] + cross[2] * second[2] > 0;
+        if (!one && triangleEnd == before + 2 * MIN_CORNERS) {
+            triangleEnd = before;
+            addPolygon();
+        }
     }
 
     /** Adds a polygon that may not be convex. */
-    private void addUnusualPolygon() {
+    private void addPolygon() {
         int[] cut = clipper.cut(vertices, corners, cornerCount);
         if (cut != null && cut != EarClipper.FAN) {
             for (int i = 0; i < cut.length; i += 3) {
-                addTriangle(cut[i], cut[i + 1], cut[i + 2]);
+                addTriangle(cut[i], cut[i + 1], cut[i + 2], cross);
             }
             return;
         }
         int before = triangleEnd;
         for (int i = 2; i < cornerCount; i++) {
-            addTriangle(0, i - 1, i);
+            addTriangle(0, i - 1, i, cross);
         }
         if (cut == null && triangleEnd > before) {
             crossed.add(lines);
         }
     }
 
-    /** Adds the triangle of three corners of the polygon, unless it is flat. */
-    private void addTriangle(int first, int second, int third) {
-        if (!Triangles.cross(vertices, 3 * corners[first], 3 * corners[second], 3 * corners[third], cross)) {
+    /** Adds the triangle of three corners of the polygon, unless it is flat. Computes the cross product of its edges. */
+    private void addTriangle(int first, int second, int third, double[] out) {
+        if (!Triangles.cross(vertices, 3 * corners[first], 3 * corners[second], 3 * corners[third], out)) {
             flat.add(lines);
             return;
         }
@@ -434,8 +424,9 @@ final class ObjReader {
         for (PassedOver each : new PassedOver[] {flat, few, crossed, aimless, bare, unused, joined}) {
             each.warn(warnings);
         }
+        runs.end(triangleEnd / 3);
         return new Triangles(Arrays.copyOf(vertices, 3 * vertexCount), Arrays.copyOf(triangles, triangleEnd),
-            Arrays.copyOf(normals, 3 * normalCount), triangleNormals == null ? null : Arrays.copyOf(triangleNormals, triangleEnd));
+            Arrays.copyOf(normals, 3 * normalCount), triangleNormals == null ? null : Arrays.copyOf(triangleNormals, triangleEnd), runs);
     }
 
     /** A number is no number or infinite: an error, unless the picture does not need it. */

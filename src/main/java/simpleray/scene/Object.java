@@ -2,6 +2,7 @@ package simpleray.scene;
 
 import java.io.IOException;
 import simpleray.math.Bounds;
+import simpleray.math.Colour;
 import simpleray.math.Point;
 import simpleray.math.Ray;
 import simpleray.math.Vector;
@@ -142,7 +143,7 @@ public abstract class Object implements SceneElement {
      *
      * @param hit the hit, from {@link #intersect(Ray, int, Hit)}
      * @param at has the hit point, and gets both normals, of unit length and outward; they differ only where vertex normals make facets
-     *     look round
+     *     look round. It has the object's material, and gets another if there it has another
      */
     public void surface(Hit hit, Interaction at) {
         normal(at.point, at.outward);
@@ -175,6 +176,33 @@ public abstract class Object implements SceneElement {
      */
     @Override
     public abstract void write(SceneWriter os) throws IOException;
+
+    /**
+     * Returns the material of a part.
+     *
+     * @param part the part, from 0
+     * @return its material, not a copy
+     */
+    public Material material(int part) {
+        return surfaceMaterial;
+    }
+
+    /** {@return whether no light passes through it} */
+    public boolean isOpaque() {
+        return surfaceMaterial.transmission.isBlack();
+    }
+
+    /**
+     * Returns the share of light that passes through the object where a ray hits it, once or more, before some distance. Any thread may call.
+     *
+     * @param ray the ray; its direction need not be of unit length
+     * @param distance the distance, in lengths of the ray's direction
+     * @param scratch working space, the calling thread's own; must be reset for each ray
+     * @return the share, not to be changed
+     */
+    public Colour transmitted(Ray ray, double distance, Hit scratch) {
+        return surfaceMaterial.transmission;
+    }
 
     /** {@return whether it is closed all around, and thus has an inside that is not infinite} */
     public boolean isSolid() {

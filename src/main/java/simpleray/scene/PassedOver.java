@@ -1,5 +1,6 @@
 package simpleray.scene;
 
+import java.util.Set;
 import java.util.function.Consumer;
 import simpleray.text.Diagnostic;
 
@@ -31,9 +32,10 @@ final class PassedOver {
         }
     }
 
-    /** Adds one, where this warning is. */
-    void add(Diagnostic place) {
-        if (count++ == 0) {
+    /** Adds one if the line that is being read is continued by one that begins with one of these words; there it is. */
+    void addJoined(LineReader lines, Set<String> keywords) {
+        Diagnostic place = lines.warningOfJoined(keywords);
+        if (place != null && count++ == 0) {
             first = place;
         }
     }

@@ -24,7 +24,7 @@ import simpleray.text.Diagnostic;
  * @param software the program that made it and its version
  * @param settings size, depth, samples, camera and background, as far as they were set
  * @param others the other options, a line each
- * @param text the scene, perhaps without its bytes, and its meshes
+ * @param text the scene, perhaps without its bytes, and its meshes and their MTL files
  */
 public record PictureScene(String file, String software, SceneSettings settings, List<String> others, SourceText text) {
     private static final String SOFTWARE = "Software";
@@ -166,7 +166,8 @@ public record PictureScene(String file, String software, SceneSettings settings,
         read.scene().settings = read.scene().settings.under(settings);
         List<Diagnostic> warnings = new ArrayList<>(read.warnings());
         for (String mesh : changed(read.text().meshes())) {
-            warnings.add(new Diagnostic(name, 1, 1, false, "the mesh " + Diagnostic.quoted(mesh) + " is not the one that the picture was made of",
+            String kind = mesh.endsWith(".mtl") ? "MTL file " : "mesh ";
+            warnings.add(new Diagnostic(name, 1, 1, false, "the " + kind + Diagnostic.quoted(mesh) + " is not the one that the picture was made of",
                 text.name()));
         }
         return new SceneFile(read.scene(), List.copyOf(warnings), read.text());

@@ -37,8 +37,29 @@ public record RayTree(Ray ray, int depth, boolean told, Hit hit, Colour colour) 
      * @param number its number, from 1
      * @param kind its kind, as in scene files
      * @param line its first line in the scene's file, from 1; 0 if it is from no file
+     * @param mtl where the material of the part in question stands; null if it is the object's own
      */
-    public record Thing(int number, String kind, int line) {
+    public record Thing(int number, String kind, int line, Mtl mtl) {
+        /**
+         * Names an object or light that has one material.
+         *
+         * @param number its number, from 1
+         * @param kind its kind, as in scene files
+         * @param line its first line in the scene's file, from 1; 0 if it is from no file
+         */
+        public Thing(int number, String kind, int line) {
+            this(number, kind, line, null);
+        }
+    }
+
+    /**
+     * A material of an MTL file.
+     *
+     * @param name its name
+     * @param file the file, as messages call it
+     * @param line the line on which it begins, from 1
+     */
+    public record Mtl(String name, String file, int line) {
     }
 
     /**

@@ -72,7 +72,7 @@ public final class RayTreeRecorder implements Recorder {
         all = new BruteForceIntersector(scene);
         boolean black = true;
         for (int i = 0; i < scene.getNumberObjects(); i++) {
-            black &= scene.getObject(i).surfaceMaterial.transmission.isBlack();
+            black &= scene.getObject(i).isOpaque();
         }
         opaque = black;
     }
@@ -90,7 +90,23 @@ public final class RayTreeRecorder implements Recorder {
      * @return its number, kind and line
      */
     public static Thing object(Scene scene, int place) {
-        return new Thing(place + 1, ObjectKind.TABLE.name(scene.getObject(place)), scene.objectLine(place));
+        return object(scene, place, null);
+    }
+
+    /**
+     * Describes an object of a scene where it is hit.
+     *
+     * @param scene the scene
+     * @param hit the hit
+     * @return its number, kind and line, and where the material stands that it has there
+     */
+    public static Thing object(Scene scene, Hit hit) {
+        return object(scene, hit.place, scene.getObject(hit.place).material(hit.part));
+    }
+
+    private static Thing object(Scene scene, int place, Material material) {
+        Object object = scene.getObject(place);
+        return new Thing(place + 1, ObjectKind.TABLE.name(object), scene.objectLine(place), object instanceof Mesh mesh ? mesh.origin(material) : null);
     }
 
     @Override
@@ -108,12 +124,12 @@ public final class RayTreeRecorder implements Recorder {
     public void hit(Ray ray, Interaction at) {
         Node node = open.peek();
         if (node.told) {
-            node.object = object(scene, at.place);
+            node.object = object(scene, at.place, at.material);
             node.distance = at.t;
             node.point = new Point(at.point);
             node.normal = new Vector(at.normal);
             node.enters = at.enters;
-            node.material = at.object.surfaceMaterial;
+            node.material = at.material;
         }
     }
 
@@ -137,8 +153,9 @@ public final class RayTreeRecorder implements Recorder {
             return List.of();
         }
         List<Between> between = new ArrayList<>();
-        for (int place : all.between(new Ray(point, towards), seen.end)) {
-            between.add(new Between(object(scene, place), scene.getObject(place).surfaceMaterial.transmission));
+        Ray ray = new Ray(point, towards);
+        for (int place : all.between(ray, seen.end)) {
+            between.add(new Between(object(scene, place), new Colour(scene.getObject(place).transmitted(ray, seen.end, new Hit()))));
         }
         return List.copyOf(between);
     }

@@ -13,7 +13,7 @@ import simpleray.io.Sha256;
 import simpleray.text.SceneWriter;
 
 /**
- * The SHA-256 of a scene in memory: its objects with all triangles of their meshes, its lights and its ambient light. So it is right
+ * The SHA-256 of a scene in memory: its objects with all triangles and materials of their meshes, its lights and its ambient light. So it is right
  * even if the scene's files have changed; comments and settings do not count.
  */
 public final class SceneHash {
@@ -40,6 +40,13 @@ public final class SceneHash {
                     add(digest, mesh.mesh().triangles);
                 }
             }
+            for (int i = 0; i < scene.getNumberObjects(); i++) {
+                if (scene.getObject(i) instanceof Mesh mesh && mesh.materials() != null) {
+                    add(digest, mesh.mesh().triangles.materials().all());
+                    add(writer, mesh.materials());
+                }
+            }
+            writer.flush();
             return Sha256.hex(digest.digest());
         } catch (IOException e) {
             throw new UncheckedIOException(e);
@@ -51,6 +58,16 @@ public final class SceneHash {
         add(digest, triangles.corners());
         add(digest, triangles.normals());
         add(digest, triangles.cornerNormals());
+    }
+
+    private static void add(SceneWriter writer, MeshMaterials materials) throws IOException {
+        for (int i = 0; i < materials.count(); i++) {
+            if (materials.get(i) != null) {
+                writer.writeInt(i);
+                materials.get(i).write(writer);
+                writer.writeNewline();
+            }
+        }
     }
 
     private static void add(MessageDigest digest, double[] numbers) {

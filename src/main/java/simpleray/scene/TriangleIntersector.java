@@ -1,5 +1,6 @@
 package simpleray.scene;
 
+import simpleray.accel.Bvh;
 import simpleray.accel.BvhTraversal;
 import simpleray.accel.PrimitiveIntersector;
 
@@ -103,6 +104,46 @@ final class TriangleIntersector implements PrimitiveIntersector {
         corners = tree.corners();
         t = distance;
         return tree.bvh() != null && traversal.occluded(tree.bvh(), ox, oy, oz, dx, dy, dz, distance);
+    }
+
+    /** {@return which of the mesh's materials the ray meets before some distance, up to one that stops light} */
+    boolean[] crossed(double distance) {
+        MaterialCollector met = new MaterialCollector(distance);
+        Bvh bvh = all.tree().bvh();
+        if (bvh != null) {
+            new BvhTraversal(met).occluded(bvh, ox, oy, oz, dx, dy, dz, distance);
+        }
+        return met.met;
+    }
+
+    /** Notes the materials of all triangles that the ray hits. Another class, so that rays through meshes of one material pay nothing for it. */
+    private final class MaterialCollector implements PrimitiveIntersector {
+        final boolean[] met = new boolean[mesh.materials().count()];
+        private final int[] leaves = all.tree().order();
+        private final double distance;
+
+        MaterialCollector(double distance) {
+            this.distance = distance;
+        }
+
+        @Override
+        public double closest(int[] list, int first, int end) {
+            throw new UnsupportedOperationException();
+        }
+
+        @Override
+        public boolean occluded(int[] list, int first, int end) {
+            for (int i = first; i < end; i++) {
+                double found = test(leaves[i]);
+                if (found > 0 && found < distance) {
+                    met[mesh.materials().number(leaves[i])] = true;
+                    if (mesh.material(leaves[i]).transmission.isBlack()) {
+                        return true;
+                    }
+                }
+            }
+            return false;
+        }
     }
 
     @Override

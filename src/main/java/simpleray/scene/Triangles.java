@@ -12,17 +12,36 @@ import simpleray.math.Vector;
  * @param corners three vertices of each triangle, counted from 0, anticlockwise as seen from outside
  * @param normals x, y, z of each vertex normal, of unit length; zero for a normal of no length
  * @param cornerNormals three normals of each triangle, counted from 0, each -1 if it has none; null if no triangle has any
+ * @param materials the names of their materials
  */
-record Triangles(double[] vertices, int[] corners, double[] normals, int[] cornerNormals) {
+record Triangles(double[] vertices, int[] corners, double[] normals, int[] cornerNormals, MaterialRuns materials) {
     /** A normal with this squared length or less is only rounding error. */
     private static final double NO_LENGTH = 1e-24;
 
     /** No triangle. */
     static final Triangles NONE = new Triangles(new double[0], new int[0], new double[0], null);
 
+    /** Creates triangles of which no material is known. */
+    Triangles(double[] vertices, int[] corners, double[] normals, int[] cornerNormals) {
+        this(vertices, corners, normals, cornerNormals, new MaterialRuns());
+    }
+
     /** {@return the number of triangles} */
     int count() {
         return corners.length / 3;
+    }
+
+    /** {@return some of the triangles, with the same vertices} */
+    Triangles some(int[] which) {
+        int[] some = new int[3 * which.length];
+        int[] theirNormals = cornerNormals == null ? null : new int[some.length];
+        for (int i = 0; i < some.length; i++) {
+            some[i] = corners[3 * which[i / 3] + i % 3];
+            if (theirNormals != null) {
+                theirNormals[i] = cornerNormals[3 * which[i / 3] + i % 3];
+            }
+        }
+        return new Triangles(vertices, some, normals, theirNormals);
     }
 
     /**

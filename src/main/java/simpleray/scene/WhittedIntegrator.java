@@ -81,7 +81,7 @@ public final class WhittedIntegrator implements Integrator {
                 recorder.hit(ray, at);
             }
             setLocal(colour, ray, at);
-            Material material = at.object.surfaceMaterial;
+            Material material = at.material;
             int bounces = Math.min(depth, material.reflections());
             if (terms.reflections() && bounces > 0) {
                 Colour share = bounce.share;
@@ -138,7 +138,7 @@ public final class WhittedIntegrator implements Integrator {
      * three terms are summed separately, so that pictures of single terms add up to the picture of all to the last bit.
      */
     private void setLocal(Colour colour, Ray ray, Interaction at) {
-        Material material = at.object.surfaceMaterial;
+        Material material = at.material;
         Colour kd = material.diffuse;
         Colour ks = material.specular;
         boolean shiny = terms.specular() && !ks.isBlack();

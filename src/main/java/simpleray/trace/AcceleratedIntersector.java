@@ -227,7 +227,7 @@ final class AcceleratedIntersector implements Intersector, PrimitiveIntersector 
         Arrays.sort(dimming, 0, dimmers);
         for (int k = 0; k < dimmers && !left.isBlack(); k++) {
             if (k == 0 || dimming[k] != dimming[k - 1]) {     // an object in several lists is noted several times
-                left.mult(compiled.scene.getObject(dimming[k]).surfaceMaterial.transmission);
+                left.mult(compiled.scene.getObject(dimming[k]).transmitted(ray, distance, scratch));
             }
         }
     }

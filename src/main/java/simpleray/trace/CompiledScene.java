@@ -223,7 +223,7 @@ public final class CompiledScene {
         for (int place = 0; place < all.length; place++) {
             int i = ranks[place];
             objects[i] = all[place];
-            opaque[i] = all[place].surfaceMaterial.transmission.isBlack();
+            opaque[i] = all[place].isOpaque();
             if (i < bounded && all[place] instanceof Sphere sphere) {
                 set(i, sphere.centre.x, sphere.centre.y, sphere.centre.z, sphere.radius);
             } else if (all[place] instanceof Plane plane) {

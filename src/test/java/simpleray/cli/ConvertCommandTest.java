@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -97,7 +98,9 @@ class ConvertCommandTest {
     void aSampleSceneStaysTheSame(String name) throws IOException {
         Path again = folder.resolve("again.scene");
         Path scene = Files.copy(Project.scene(name), folder.resolve("scene.scene"));
-        Files.copy(Project.scene(name).resolveSibling("knot.obj"), folder.resolve("knot.obj"));
+        for (String mesh : List.of("knot.obj", "house.obj", "house.mtl")) {
+            Files.copy(Project.scene(name).resolveSibling(mesh), folder.resolve(mesh));
+        }
         assertThat(InProcess.run("convert", scene.toString(), out.toString()).exitCode()).isZero();
         assertDone(InProcess.run("convert", out.toString(), again.toString()));
 

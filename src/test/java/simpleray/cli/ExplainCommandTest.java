@@ -180,4 +180,19 @@ class ExplainCommandTest {
         assertThat(quiet.err()).isEmpty();
         assertThat(quiet.text()).isEqualTo(told.text());
     }
+
+    @Test
+    void theMaterialOfAMeshsPolygonIsNamed() throws IOException {
+        Files.writeString(folder.resolve("a.obj"), "mtllib a.mtl\nv -9 -9 0\nv 9 -9 0\nv 0 9 0\nv -9 -9 4\nv 9 -9 4\nv 0 9 4\nusemtl \"dark\" red\nf 1 2 3\n"
+            + "usemtl glass\nf 4 5 6\n");
+        Path mtl = Files.writeString(folder.resolve("a.mtl"), "# x\nnewmtl \"dark\" red\nKd 0.5 0 0\nillum 2\n\nnewmtl glass\nd 0.25\n");
+        Path scene = Files.writeString(folder.resolve("a.scene"), "1\n4 \"a.obj\" 0 0 0 1  0 0 0  0 1 0  1 1 1  1 mtl\n1 1 1\n1\n1  1 1 1  0 0 -1\n");
+
+        assertThat(InProcess.run("explain", scene.toString(), "--pixel", "1,1", "--size", "3x3").text())
+            .contains("hits object 1 (mesh, line 2, material '\"dark\" red' of " + mtl + ":2) at distance 2\n")
+            .contains("reaches the point, dimmed by object 1 (mesh, line 2) with Kt 0.75 0.75 0.75 to 0.75 0.75 0.75\n")
+            .contains("Kd 0.5 0 0\n");
+        assertThat(InProcess.run("explain", scene.toString(), "--pixel", "1,1", "--size", "3x3", "--format", "json").text())
+            .contains("{\"number\":1,\"kind\":\"mesh\",\"line\":2,\"mtl\":{\"name\":\"\\\"dark\\\" red\",\"file\":\"" + mtl + "\",\"line\":2},\"distance\":2.0,");
+    }
 }

@@ -288,6 +288,21 @@ class VerifyCommandTest {
     }
 
     @Test
+    void anMtlFileIsNamedByItsDigestToo() throws IOException {
+        Files.writeString(folder.resolve("tetra.obj"), "mtllib tetra.mtl\nusemtl red\n" + TETRA);
+        Path mtl = Files.writeString(folder.resolve("tetra.mtl"), "newmtl red\nKa 1 0 0\n");
+        Files.writeString(scene, MESH.replace("1   0.5", "1 mtl 0.5"));
+        run("render", scene, "-o", picture, "--size", "20x20", "-q");
+        assertGood(picture, 400);
+
+        Files.writeString(mtl, "newmtl red\nKa 1 0 0.5\n");
+
+        assertEnds(ExitCode.BAD_SCENE, "", "simpleray: " + picture + ": was made of other meshes: tetra.mtl\n", "verify", picture);
+        assertThat(InProcess.run("check", picture.toString()).err()).startsWith(picture
+            + ":1:1: warning: the MTL file 'tetra.mtl' is not the one that the picture was made of\n");
+    }
+
+    @Test
     void aPictureMayComeFromStandardInput() throws IOException {
         Program.Result result = InProcess.run(Files.newInputStream(picture), new ByteArrayOutputStream(), "render", "-", "-o",
             folder.resolve("again.png").toString(), "-q");

@@ -70,6 +70,7 @@ public final class SceneBits {
             add(new Vector(mesh.offset));
             bits.add(mesh.scale);
             bits.add(mesh.size());
+            mesh.pieces().forEach(piece -> add(piece.surfaceMaterial));
         } else if (object instanceof Cylinder cylinder) {
             add(new Vector(cylinder.start));
             add(new Vector(cylinder.end));

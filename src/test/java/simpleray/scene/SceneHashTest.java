@@ -52,6 +52,32 @@ class SceneHashTest {
         assertThat(meshHash(square.replace(number, other))).isNotEqualTo(meshHash(square));
     }
 
+    private String materialHash(String obj, String mtl, String word) throws IOException {
+        Files.writeString(folder.resolve("a.mtl"), mtl);
+        Files.writeString(folder.resolve("a.obj"), "mtllib a.mtl\n" + obj);
+        return hash("1\n4 \"a.obj\" 0 0 0  1  1 1 1  0 0 0  0 0 0  1 " + word + "\n1 1 1\n0\n");
+    }
+
+    @ParameterizedTest
+    @CsvSource({"Kd 1 0 0, Kd 1 0 0.5", "Ns 3, Ns 4", "illum 2, illum 3", "d 0.5, d 0.25", "Ni 1.5, Ni 1.25"})
+    void anyNumberOfAMaterialCounts(String number, String other) throws IOException {
+        String obj = "usemtl red\n" + SQUARE;
+        String mtl = "newmtl red\nKd 1 0 0\nNs 3\nillum 2\nd 0.5\nNi 1.5\nnewmtl blue\nKd 0 0 1\n";
+
+        assertThat(mtl).contains(number);
+        assertThat(materialHash(obj, mtl.replace(number, other), "mtl")).isNotEqualTo(materialHash(obj, mtl, "mtl"));
+        assertThat(materialHash(obj, mtl.replace(number, other), "")).isEqualTo(materialHash(obj, mtl, ""));
+        assertThat(materialHash(obj, mtl.replace("0 0 1", "0 1 0") + "# more", "mtl")).as("unused").isEqualTo(materialHash(obj, mtl, "mtl"));
+    }
+
+    @Test
+    void whichPolygonsHaveAMaterialCounts() throws IOException {
+        String mtl = "newmtl red\nKd 1 0 0\n";
+
+        assertThat(materialHash(SQUARE.replace("f 1//1", "usemtl red\nf 1//1"), mtl, "mtl")).isNotEqualTo(materialHash("usemtl red\n" + SQUARE, mtl, "mtl"))
+            .isNotEqualTo(materialHash(SQUARE, mtl, "mtl"));
+    }
+
     @Test
     void aMeshLargerThanTheBufferCountsToItsEnd() throws IOException {
         StringBuilder obj = new StringBuilder();

@@ -11,7 +11,7 @@ import simpleray.text.NumberParser;
 /** Finds what is to be coloured in a line of a scene file: comments, headings, keywords, numbers, names, and words that are none. */
 final class SceneTokens extends TokenMakerBase {
     /** The keywords of materials, beside those of settings. */
-    private static final Set<String> OF_MATERIAL = Set.of("mirror", "transmit");
+    private static final Set<String> OF_MATERIAL = Set.of("mirror", "transmit", "mtl");
     private static final char COMMENT = '#';
     private static final char QUOTE = '"';
 

@@ -12,18 +12,22 @@ import java.util.LinkedHashSet;
 import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import simpleray.scene.MtlNames;
 
-/** Finds the files that a scene's text names between double quotes, whether the text has errors or not. */
+/** Finds the files that a scene's text names between double quotes, whether the text has errors or not, and the MTL files that these name. */
 public final class MeshNames {
     private static final int MAX = 1000;
     private static final int LONGEST = 4096;
     private static final Pattern QUOTED = Pattern.compile("\"([^\"\n]*)\"");
     private static final int PIECE = 1 << 16;
+    private static final String MTL = "mtl";
 
     private final Path scene;
-    private final Set<Path> found = new LinkedHashSet<>();
+    private final Set<String> found = new LinkedHashSet<>();
     private ByteArrayOutputStream name;                       // null outside of quotes
     private boolean comment;
+    private int letters;                                      // of the word mtl so far; -1 in another word
+    private boolean mtl;                                      // whether the text has that word
 
     private MeshNames(Path scene) {
         this.scene = scene;
@@ -39,7 +43,8 @@ public final class MeshNames {
                     names.take(piece[i]);
                 }
             }
-            return names.found;
+            names.take((byte) '\n');
+            return names.files();
         } catch (IOException e) {
             return Set.of();
         }
@@ -62,7 +67,25 @@ public final class MeshNames {
         return -1;
     }
 
+    private Set<Path> files() {
+        Set<Path> files = new LinkedHashSet<>();
+        for (String each : found) {
+            try {
+                files.add(scene.resolveSibling(each));
+                if (mtl) {
+                    files.addAll(MtlNames.of(scene.resolveSibling(""), each));
+                }
+            } catch (InvalidPathException e) {
+                continue;                                     // no file can have that name: nothing to watch
+            }
+        }
+        return files;
+    }
+
     private void take(byte b) {
+        if (name == null && !comment) {
+            lookForMtl(b);
+        }
         if (b == '\n' || b == '\r') {
             name = null;
             comment = false;
@@ -78,13 +101,18 @@ public final class MeshNames {
         }
     }
 
+    private void lookForMtl(byte b) {
+        if (b <= ' ' || b == '#') {
+            mtl |= letters == MTL.length();
+            letters = 0;
+        } else {
+            letters = letters >= 0 && letters < MTL.length() && b == MTL.charAt(letters) ? letters + 1 : -1;
+        }
+    }
+
     private void add(String name) {
-        try {
-            if (!name.isEmpty()) {
-                found.add(scene.resolveSibling(name));
-            }
-        } catch (InvalidPathException e) {
-            return;                                           // no file can have that name: nothing to watch
+        if (!name.isEmpty()) {
+            found.add(name);
         }
     }
 }

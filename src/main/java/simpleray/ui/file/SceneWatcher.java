@@ -119,15 +119,14 @@ public final class SceneWatcher implements Closeable {
         }
         known.putAll(now);
         FileStamp ours = own;
-        boolean scenes = now.containsKey(scene);
-        if (scenes) {
-            watchMeshes();                                    // before anybody reads them
+        if (!now.isEmpty()) {
+            watchMeshes();                                    // before anybody reads them: a scene names meshes, a mesh MTL files
         }
         if (FileStamp.NONE.equals(now.get(scene))) {
             deleted = true;
             tell(News.DELETED);
         } else if (!now.isEmpty() && known.get(scene).there()) {
-            boolean onlyOurs = scenes && now.size() == 1 && ours != null && now.get(scene).isSame(ours);
+            boolean onlyOurs = now.size() == 1 && now.containsKey(scene) && ours != null && now.get(scene).isSame(ours);
             if (deleted || !onlyOurs) {
                 tell(News.CHANGED);
             }

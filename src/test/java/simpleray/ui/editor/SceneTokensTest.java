@@ -35,6 +35,7 @@ class SceneTokensTest {
         assertThat(tokens("  background 0 0 1")).containsExactly("keyword background", "number 0", "number 0", "number 1");
         assertThat(tokens("20 transmit 1 1 1 1.5")).startsWith("number 20", "keyword transmit");
         assertThat(tokens("mirror 0 0 0")).startsWith("keyword mirror");
+        assertThat(tokens("mtl")).startsWith("keyword mtl");
         assertThat(Setting.keywords()).isNotEmpty()
             .allSatisfy(keyword -> assertThat(tokens(keyword + " 1")).startsWith("keyword " + keyword));
     }

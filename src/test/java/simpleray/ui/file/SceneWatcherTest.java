@@ -83,6 +83,25 @@ class SceneWatcherTest {
     }
 
     @Test
+    void anMtlFileIsToldIfTheSceneHasMaterialsOfIt() throws IOException {
+        Files.writeString(folder.resolve("#1.obj"), "v 0 0 0\nmtllib my house.mtl a.mtl # materials\n");
+        Files.writeString(folder.resolve("a.mtl"), "newmtl a");
+        Files.writeString(scene, "1\n4 \"#1.obj\" 0 0 0 1 # no mtl\n");
+        watch();
+        Files.writeString(folder.resolve("a.mtl"), "newmtl abc");
+        Files.writeString(scene, "1\n4 \"#1.obj\" 0 0 0 1\nmtl");
+        untilTold(News.CHANGED);
+        Files.writeString(folder.resolve("a.mtl"), "newmtl b");
+        untilTold(News.CHANGED, News.CHANGED);
+        Files.writeString(folder.resolve("my house.mtl"), "newmtl c");
+        untilTold(News.CHANGED, News.CHANGED, News.CHANGED);
+        Files.writeString(folder.resolve("#1.obj"), "v 0 0 0\nmtllib \\\n b.mtl ../c.mtl\n");
+        untilTold(News.CHANGED, News.CHANGED, News.CHANGED, News.CHANGED);
+        Files.writeString(folder.resolve("b.mtl"), "newmtl d");
+        untilTold(News.CHANGED, News.CHANGED, News.CHANGED, News.CHANGED, News.CHANGED);
+    }
+
+    @Test
     void aLinkIsFollowed() throws IOException {
         Path real = Files.writeString(Files.createDirectory(folder.resolve("real")).resolve("a.scene"), "1");
         Files.delete(scene);
