@@ -66,8 +66,8 @@ final class ObjReader {
     private int cornerCount;
     private boolean lacksNormals;                             // it names one that is not there
     private final MaterialRuns runs = new MaterialRuns();
-    private final double[] cross = new double[3];             // of a triangle's edges
-    private final double[] second = new double[3];
+    private double[] cross = new double[3];                   // product of the edges of the latest triangle
+    private double[] other = new double[3];                   // and of the one before
     private final EarClipper clipper = new EarClipper();
 
     private final PassedOver flat = new PassedOver("triangles that have an area", "without, which is skipped", "without, which are skipped");
@@ -266,13 +266,30 @@ final class ObjReader {
             triangleNormals = new int[triangles.length];
             Arrays.fill(triangleNormals, 0, triangleEnd, NONE);
         }
-        if (cornerCount == MIN_CORNERS) {
-            addTriangle(0, 1, 2, cross);
-        } else if (cornerCount == MIN_CORNERS + 1) {
-            addQuadrangle();
-        } else {
+        if (cornerCount > MIN_CORNERS + 1) {
+            addPolygon();
+            return;
+        }
+        int before = triangleEnd;
+        addFan();
+        if (triangleEnd == before + 2 * MIN_CORNERS && !facesOneWay()) {
+            triangleEnd = before;
             addPolygon();
         }
+    }
+
+    private void addFan() {
+        for (int i = 2; i < cornerCount; i++) {
+            double[] last = cross;
+            cross = other;
+            other = last;
+            addTriangle(0, i - 1, i);
+        }
+    }
+
+    /** {@return whether the latest two triangles face the same way} */
+    private boolean facesOneWay() {
+        return cross[0] * other[0] + cross[1] * other[1] + cross[2] * other[2] > 0;
     }
 
     /** Reads a corner: v, v/vt, v//vn or v/vt/vn. */
@@ -367,39 +384,25 @@ final class ObjReader {
         cornerNormals[cornerCount++] = normal;
     }
 
-    /** Adds a polygon of four corners. It is its fan if the two triangles face one way, or one of them is flat. */
-    private void addQuadrangle() {
-        int before = triangleEnd;
-        addTriangle(0, 1, 2, cross);
-        addTriangle(0, 2, 3, second);
-        boolean one = cross[0] * second[0] + cross[1] * second[1] + cross[2] * second[2] > 0;
-        if (!one && triangleEnd == before + 2 * MIN_CORNERS) {
-            triangleEnd = before;
-            addPolygon();
-        }
-    }
-
     /** Adds a polygon that may not be convex. */
     private void addPolygon() {
         int[] cut = clipper.cut(vertices, corners, cornerCount);
-        if (cut != null && cut != EarClipper.FAN) {
-            for (int i = 0; i < cut.length; i += 3) {
-                addTriangle(cut[i], cut[i + 1], cut[i + 2], cross);
+        if (cut == null || cut == EarClipper.FAN) {
+            int before = triangleEnd;
+            addFan();
+            if (cut == null && triangleEnd > before) {
+                crossed.add(lines);
             }
             return;
         }
-        int before = triangleEnd;
-        for (int i = 2; i < cornerCount; i++) {
-            addTriangle(0, i - 1, i, cross);
-        }
-        if (cut == null && triangleEnd > before) {
-            crossed.add(lines);
+        for (int i = 0; i < cut.length; i += 3) {
+            addTriangle(cut[i], cut[i + 1], cut[i + 2]);
         }
     }
 
-    /** Adds the triangle of three corners of the polygon, unless it is flat. Computes the cross product of its edges. */
-    private void addTriangle(int first, int second, int third, double[] out) {
-        if (!Triangles.cross(vertices, 3 * corners[first], 3 * corners[second], 3 * corners[third], out)) {
+    /** Adds the triangle of three corners of the polygon, unless it is flat. */
+    private void addTriangle(int first, int second, int third) {
+        if (!Triangles.cross(vertices, 3 * corners[first], 3 * corners[second], 3 * corners[third], cross)) {
             flat.add(lines);
             return;
         }
