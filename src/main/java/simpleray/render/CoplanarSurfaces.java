@@ -43,6 +43,8 @@ final class CoplanarSurfaces {
     private static final long MAX_COMPARISONS = 1L << 26;
     /** As many comparisons of boxes take as long as one of faces. */
     private static final int COST_OF_FACES = 64;
+    /** More faces than that are not compared: their boxes could fill the memory. */
+    private static final long MAX_FACES = 1L << 22;
     /** The most pairs of objects that are told apart. */
     private static final int MAX_PAIRS = 100_000;
 
@@ -115,18 +117,25 @@ final class CoplanarSurfaces {
         this.sight = sight;
         starts = new int[scene.getNumberObjects() + 1];
         for (int i = 0; i < scene.getNumberObjects(); i++) {
-            starts[i + 1] = Math.addExact(starts[i], faces(scene.getObject(i)));
+            starts[i + 1] = starts[i] + faces(scene.getObject(i));
         }
     }
 
     /**
-     * Finds the objects that overlap in a plane.
+     * Finds the objects that overlap in a plane; in a scene of more than four million faces none.
      *
      * @param scene the scene, which must not change meanwhile
      * @param sight decides which overlaps may be seen
      * @return the pairs of objects, each once
      */
     static Collection<Pair> find(Scene scene, Sight sight) {
+        long faces = 0;
+        for (int i = 0; i < scene.getNumberObjects(); i++) {
+            faces += faces(scene.getObject(i));
+        }
+        if (faces > MAX_FACES) {
+            return List.of();
+        }
         CoplanarSurfaces surfaces = new CoplanarSurfaces(scene, sight);
         surfaces.find();
         return surfaces.pairs.values();
@@ -171,7 +180,8 @@ final class CoplanarSurfaces {
         Point[] ring = new Point[RING];
         for (int i = 0; i < RING; i++) {
             double angle = 2 * Math.PI * i / RING;
-            ring[i] = Point.add(Point.add(middle, Vector.scale(across, radius * Math.cos(angle))), Vector.scale(along, radius * Math.sin(angle)));
+            ring[i] = Point.add(Point.add(middle, Vector.scale(across, radius * Math.cos(angle))),
+                Vector.scale(along, radius * Math.sin(angle)));
         }
         return new Face(object, axis, axis.dot(middle), ring);
     }
@@ -393,6 +403,7 @@ final class CoplanarSurfaces {
             rounding += ROUNDINGS * (Math.abs(p.x) + Math.abs(p.y) + Math.abs(p.z));
         }
         sum.scale(1.0 / polygon.size());
-        return new Point(Math.abs(sum.x) < rounding ? 0 : sum.x, Math.abs(sum.y) < rounding ? 0 : sum.y, Math.abs(sum.z) < rounding ? 0 : sum.z);
+        return new Point(Math.abs(sum.x) < rounding ? 0 : sum.x, Math.abs(sum.y) < rounding ? 0 : sum.y,
+            Math.abs(sum.z) < rounding ? 0 : sum.z);
     }
 }

@@ -194,7 +194,7 @@ public final class SceneLint {
         return object + 1 + (line > 0 ? " (line " + line + ')' : "");
     }
 
-    /** {@return whether an overlap of two faces may be seen} It is not if an opaque body lies on it, on the eye's side. */
+    /** {@return whether an overlap of two faces may be seen} It is not if an opaque body of another object lies on it, on the eye's side. */
     private boolean isSeen(CoplanarSurfaces.Face one, CoplanarSurfaces.Face other, Map<Integer, Boolean> solid) {
         boolean[] hidden = new boolean[2];                    // from below and from above, as the one's normal has it
         for (CoplanarSurfaces.Face face : List.of(one, other)) {
@@ -203,7 +203,7 @@ public final class SceneLint {
             }
         }
         boolean eyeAbove = one.normal().dot(camera.eye()) > one.offset();
-        return !hidden[eyeAbove ? 1 : 0];
+        return one.object() == other.object() || !hidden[eyeAbove ? 1 : 0];
     }
 
     private void warn(int line, String message) {

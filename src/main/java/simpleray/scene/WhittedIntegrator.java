@@ -65,7 +65,8 @@ public final class WhittedIntegrator implements Integrator {
 
     /**
      * Whitted's recursion: the local colour of a surface, plus the mirror ray's colour times its share (Ks, or the material's mirror), plus the
-     * refracted ray's colour times Kt. At total internal reflection the mirror ray counts its share + Kt. One method, too long for HotSpot to inline into itself, and so compiled early.
+     * refracted ray's colour times Kt. At total internal reflection the mirror ray counts its share + Kt. One method, too long for
+     * HotSpot to inline into itself, and so compiled early.
      */
     private boolean trace(Ray ray, Colour colour, int depth, int level) {
         stats.ray(level);

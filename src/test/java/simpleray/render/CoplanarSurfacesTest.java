@@ -143,6 +143,9 @@ class CoplanarSurfacesTest {
             "a:3:1: warning: faces of object 2 (line 3) overlap in one plane, as at (0.875 0.375 0)"
             + ": rounding decides which is seen, so leave a gap or drop one");
         assertThat(warnings("4 \"cube.obj\" 0 0 0 1")).isEmpty();
+        Files.writeString(folder.resolve("square.obj"), SQUARE + "f 4 3 2 1\n");
+        assertThat(overlaps(SceneLint.striking(read("4 \"square.obj\" 0 0 0 1"), "a"))).as("of either winding").singleElement().asString()
+            .startsWith("a:2:1: warning: faces of object 1 (line 2) overlap in one plane");
     }
 
     @Test

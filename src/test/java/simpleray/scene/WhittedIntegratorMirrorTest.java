@@ -85,7 +85,8 @@ class WhittedIntegratorMirrorTest {
     void theRayTreeHasItsShare() {
         Scene scene = lit(wall(shiny(1, new Colour(0.5, 0.25, 0), 1), 0), wall(glowing(0.5), 4));
         RayTreeRecorder recorder = new RayTreeRecorder(scene);
-        new WhittedIntegrator(scene, new BruteForceIntersector(scene), Terms.ALL, new RayStats(), recorder).trace(ahead(), new Colour(), DEPTH);
+        new WhittedIntegrator(scene, new BruteForceIntersector(scene), Terms.ALL, new RayStats(), recorder)
+            .trace(ahead(), new Colour(), DEPTH);
 
         assertThat(recorder.tree().hit().mirror().share()).hasToString("(0.5,0.25,0.0)");
     }
