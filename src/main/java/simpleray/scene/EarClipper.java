@@ -159,7 +159,9 @@ final class EarClipper {
 
     /** {@return whether the corner adds no area: it lies in the place of a neighbour, or the next edge runs back along the one before} */
     private boolean isSpike(int at) {
-        return isSame(at, next[at]) || isSame(at, previous[at]) || isBack(previous[at], at, next[at]) && area(previous[at], at, next[at]) == 0;
+        int a = previous[at];
+        int c = next[at];
+        return isSame(at, c) || isSame(at, a) || isBack(a, at, c) && area(a, at, c) == 0;
     }
 
     private void remove(int at) {

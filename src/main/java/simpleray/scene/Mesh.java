@@ -123,7 +123,8 @@ public final class Mesh extends Object {
             triangles.computeIfAbsent(material(i), material -> IntStream.builder()).add(i);
         }
         List<Mesh> pieces = new ArrayList<>();
-        triangles.forEach((material, which) -> pieces.add(new Mesh(material, file, offset, scale, mesh.triangles.some(which.build().toArray()))));
+        triangles.forEach((material, which) ->
+            pieces.add(new Mesh(material, file, offset, scale, mesh.triangles.some(which.build().toArray()))));
         return pieces;
     }
 

@@ -106,7 +106,8 @@ public final class RayTreeRecorder implements Recorder {
 
     private static Thing object(Scene scene, int place, Material material) {
         Object object = scene.getObject(place);
-        return new Thing(place + 1, ObjectKind.TABLE.name(object), scene.objectLine(place), object instanceof Mesh mesh ? mesh.origin(material) : null);
+        RayTree.Mtl mtl = object instanceof Mesh mesh ? mesh.origin(material) : null;
+        return new Thing(place + 1, ObjectKind.TABLE.name(object), scene.objectLine(place), mtl);
     }
 
     @Override

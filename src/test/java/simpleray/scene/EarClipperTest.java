@@ -151,7 +151,8 @@ class EarClipperTest {
         List<Plane> planes = new ArrayList<>(List.of(FLAT, (x, y) -> new double[] {0, y, x}, (x, y) -> new double[] {y, -5, x}));
         for (int i = 0; i < 4; i++) {
             double[] m = random.doubles(9, -1, 1).toArray();
-            planes.add((x, y) -> new double[] {m[0] * x + m[1] * y + 8 * m[2], m[3] * x + m[4] * y + 8 * m[5], m[6] * x + m[7] * y + 8 * m[8]});
+            planes.add((x, y) -> new double[] {m[0] * x + m[1] * y + 8 * m[2], m[3] * x + m[4] * y + 8 * m[5],
+                m[6] * x + m[7] * y + 8 * m[8]});
         }
         return planes;
     }
@@ -361,7 +362,8 @@ class EarClipperTest {
         for (double[] shape : new double[][] {gear, spiral, comb}) {
             int[] cut = cut(shape, (x, y) -> new double[] {y, x, x + y});
             assertThat(cut).hasSize(3 * (n - 2));
-            assertThat(IntStream.iterate(0, i -> i < cut.length, i -> i + 3).mapToDouble(i -> area(shape, cut[i], cut[i + 1], cut[i + 2])).sum())
+            assertThat(IntStream.iterate(0, i -> i < cut.length, i -> i + 3)
+                .mapToDouble(i -> area(shape, cut[i], cut[i + 1], cut[i + 2])).sum())
                 .isCloseTo(area(shape), within(Math.abs(area(shape)) * 1e-9));
         }
     }

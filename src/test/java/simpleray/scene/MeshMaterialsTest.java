@@ -331,7 +331,8 @@ class MeshMaterialsTest {
         List<Mesh> pieces = mesh.pieces();
 
         assertThat(pieces).extracting(Mesh::size).containsExactly(1, 2, 1);
-        assertThat(pieces).extracting(piece -> piece.surfaceMaterial).containsExactly(mesh.surfaceMaterial, mesh.material(1), mesh.material(2));
+        assertThat(pieces).extracting(piece -> piece.surfaceMaterial)
+            .containsExactly(mesh.surfaceMaterial, mesh.material(1), mesh.material(2));
         assertThat(pieces.get(1).vertex(1, 2)).hasToString(mesh.vertex(3, 2).toString());
         assertThat(pieces.get(1).vertexNormal(0, 1).z).isCloseTo(1, within(0.0));
         assertThat(pieces.get(1).vertexNormal(1, 1)).isNull();
