@@ -6,11 +6,9 @@ import simpleray.math.Vector;
 
 /** A ray at the surface that it hits: all that shading needs. <em>Mutable</em>: one thread's own, reused for other rays. */
 public final class Interaction {
-    /** The object that is hit. */
-    public Object object;
-    /** Its material there. */
+    /** The material at the hit. */
     public Material material;
-    /** The index of the object in the scene. */
+    /** The index of the object that is hit in the scene. */
     public int place;
     /** The distance that the ray travelled. */
     public double t;
@@ -37,7 +35,6 @@ public final class Interaction {
      * @param what the object that is hit
      */
     public void set(Ray ray, Hit hit, Object what) {
-        object = what;
         material = what.surfaceMaterial;
         place = hit.place;
         t = hit.t;

@@ -73,7 +73,8 @@ final class MtlMaterial {
     /** {@return whether nothing is wrong that a picture needs} */
     boolean isUsable() {
         try {
-            return material(new Material()) != null;
+            material(new Material());
+            return true;
         } catch (SceneFormatException e) {
             return false;
         }

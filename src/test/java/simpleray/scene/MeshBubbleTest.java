@@ -55,7 +55,8 @@ class MeshBubbleTest {
 
         assertThat(path).hasSize(5);
         assertThat(path).extracting(tree -> tree.ray().direction.x)
-            .usingComparatorForType((x, y) -> Math.abs(x - y) < 1e-12 ? 0 : 1, Double.class).containsExactly(sin, sin / 1.5, sin, sin / 1.5, sin);
+            .usingComparatorForType((x, y) -> Math.abs(x - y) < 1e-12 ? 0 : 1, Double.class)
+            .containsExactly(sin, sin / 1.5, sin, sin / 1.5, sin);
         assertThat(path.get(2).ray().origin.z).isEqualTo(5, ROUNDING);
         assertThat(path.get(3).ray().origin.z).isEqualTo(-5, ROUNDING);
     }
