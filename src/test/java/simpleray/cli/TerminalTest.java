@@ -59,7 +59,7 @@ class TerminalTest {
             });
 
         assertThat(states(out).get(0)).contains(" of 60000 rows").hasSizeGreaterThan(60);
-        assertThat(states(out).get(states(out).size() - 1)).matches("\\[-+] {3}\\d %").hasSize(29);
+        assertThat(states(out).get(states(out).size() - 1)).matches("\\[-+] {3}\\d %(, \\d+ s left)?").hasSize(29);
     }
 
     @ParameterizedTest
