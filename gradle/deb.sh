@@ -35,7 +35,7 @@ options=-XX:-UsePerfData
 case ${1-} in render) options="$options -XX:+UseSerialGC -XX:NewRatio=1" ;; esac
 # A JVM that does not start for an option ends with 1, as verify does if pictures differ: it is tried, unless it would do something twice.
 case ${SIMPLERAY_OPTS-}${JAVA_TOOL_OPTIONS-}${JDK_JAVA_OPTIONS-}${_JAVA_OPTIONS-} in
-    '' | *agent* | *-Xrun* | *Archive* | *AOT* | *Recording*) ;;
+    '' | *jdwp* | *Archive* | *AOT* | *Recording*) ;;
     *)
         # shellcheck disable=SC2086
         said=$("$here/runtime/bin/java" $options ${SIMPLERAY_OPTS-} --dry-run -jar "$here/simpleray.jar" </dev/null 2>&1) || {

@@ -74,7 +74,7 @@ class LauncherTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"-XX:Nonsense", "--nonsense", "-Xmx1k", "-Xms2g -Xmx1g", "-Xmx99999999999g"})
+    @ValueSource(strings = {"-XX:Nonsense", "--nonsense", "-Xmx1k", "-Xms2g -Xmx1g", "-Xmx99999999999g", "-javaagent:/none.jar", "-agentpath:/none.so"})
     void aJvmThatDoesNotStartIs70(String options) throws IOException, InterruptedException {
         Program.Result result = checkout.run(options, "verify", "nothing.png");
 
@@ -87,6 +87,15 @@ class LauncherTest {
     void aJvmThatDoesNotStartByTheEnvironmentIs70(String variable) throws IOException, InterruptedException {
         assertRefused(run(Map.of(variable, "-XX:Nonsense"), "verify", "nothing.png"),
             "Java does not start: Unrecognized VM option 'Nonsense'");
+    }
+
+    @Test
+    void aWorkingFolderThatIsGoneIsNamed() throws IOException, InterruptedException {
+        Program.Result result = Program.finish(new ProcessBuilder("/bin/sh", "-c", "mkdir gone; cd gone; rmdir ../gone; exec \"$0\" --version",
+            checkout.root.resolve("simpleray").toString()).directory(folder.toFile()).start(), new byte[0]);
+
+        assertThat(result.err()).endsWith("simpleray: the working folder is gone\n");   // the shell may have said so, too
+        assertThat(result.exitCode()).isEqualTo(INTERNAL);
     }
 
     @Test

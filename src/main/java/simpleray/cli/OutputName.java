@@ -18,6 +18,7 @@ final class OutputName {
     private static final Set<String> OTHER_FORMATS = Set.of("jpg", "jpeg", "gif", "bmp", "tif", "tiff", "webp", "ppm", "svg", "pdf");
     private static final Set<String> SCENES = Set.of("scene", "txt", "obj", "mtl", "pov");
     private static final String STDIN = "/dev/stdin";
+    private static final String STDOUT = "/dev/stdout";
 
     private OutputName() {
     }
@@ -81,7 +82,7 @@ final class OutputName {
      * @throws CommandException if it is one
      */
     static void refuseNamed(String output, String scene, SceneFile read) throws CommandException {
-        if (!output.equals(SceneArgument.STREAM) && read.text().names(Path.of(output), Path.of(scene).resolveSibling(""))) {
+        if (read.text().names(path(output), Path.of(scene).resolveSibling(""))) {
             throw CommandException.usage("the output " + output + " is read by the scene");
         }
     }
@@ -131,8 +132,12 @@ final class OutputName {
     }
 
     private static boolean isSame(String input, String output) {
-        return !output.equals(SceneArgument.STREAM)
-            && OutputTarget.isSame(Path.of(output), Path.of(input.equals(SceneArgument.STREAM) ? STDIN : input));
+        return OutputTarget.isSame(path(output), Path.of(input.equals(SceneArgument.STREAM) ? STDIN : input));
+    }
+
+    /** {@return the path of an output; of standard output, which a shell may have opened on any file, its name among the devices} */
+    private static Path path(String output) {
+        return Path.of(output.equals(SceneArgument.STREAM) ? STDOUT : output);
     }
 
     private static boolean isPicture(Path path) {

@@ -121,7 +121,11 @@ final class RenderCheckpointer implements RowSink, Closeable {
                 throw new CommandException(ExitCode.NO_OUTPUT, "simpleray: " + path + ": the checkpoint cannot be used: " + e.getMessage());
             }
         }
-        Runtime.getRuntime().addShutdownHook(hook);
+        try {
+            Runtime.getRuntime().addShutdownHook(hook);
+        } catch (IllegalStateException e) {
+            return;                                           // the program is being stopped already
+        }
     }
 
     private void begin(CheckpointOptions options) throws IOException, CommandException {

@@ -2,6 +2,7 @@ package simpleray.cli;
 
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
+import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -14,6 +15,7 @@ import picocli.CommandLine.Parameters;
 import picocli.CommandLine.ParentCommand;
 import simpleray.image.Picture;
 import simpleray.image.png.PictureFormatException;
+import simpleray.image.png.PngChunks;
 import simpleray.image.png.PngReader;
 import simpleray.image.png.RowsCheck.Pixel;
 import simpleray.image.png.RowsCheck;
@@ -78,7 +80,7 @@ final class VerifyCommand implements Callable<Integer> {
 
     private PictureScene told() throws IOException, CommandException {
         if (picture.equals(SceneArgument.STREAM)) {
-            piped = main.in().readAllBytes();
+            piped = PngChunks.readFile(main.in());
             return PictureScene.read(new ByteArrayInputStream(piped), SceneArgument.told(picture));
         }
         Path path = Path.of(picture);
@@ -88,7 +90,9 @@ final class VerifyCommand implements Callable<Integer> {
         if (Files.isRegularFile(path)) {
             return PictureScene.read(path);
         }
-        piped = Files.readAllBytes(path);
+        try (InputStream in = Files.newInputStream(path)) {
+            piped = PngChunks.readFile(in);
+        }
         return PictureScene.read(new ByteArrayInputStream(piped), picture);
     }
 

@@ -5,6 +5,7 @@ import java.io.FileDescriptor;
 import java.io.FileOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
+import java.io.UncheckedIOException;
 import java.net.UnixDomainSocketAddress;
 import java.nio.channels.Channels;
 import java.nio.channels.SocketChannel;
@@ -16,6 +17,7 @@ import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.nio.file.attribute.BasicFileAttributes;
 import java.util.Locale;
+import java.util.stream.Stream;
 import java.util.zip.CRC32;
 
 /** What the name of an output stands for: a file, which need not be there yet, or a stream, which is written to as it is. */
@@ -127,8 +129,21 @@ public final class OutputTarget {
             throw new FileSystemException(path.toString(), null, "is a socket that has no name: write to standard output, and add >&"
                 + descriptor.getFileName());
         }
+        if (isReadOnly(descriptor)) {
+            throw new FileSystemException(path.toString(), null, "is open for reading only");
+        }
         // a file that was opened to be added to is not cut off
         return new BufferedOutputStream(Files.newOutputStream(descriptor, StandardOpenOption.WRITE, StandardOpenOption.APPEND));
+    }
+
+    /** {@return whether an open file is known to be open for reading only} Opening it anew by its name would allow more. */
+    private static boolean isReadOnly(Path descriptor) {
+        Path info = descriptor.getParent().resolveSibling("fdinfo").resolve(descriptor.getFileName());
+        try (Stream<String> lines = Files.lines(info)) {
+            return lines.anyMatch(line -> line.matches("flags:\\s*[0-7]*[04]"));   // O_RDONLY is 0; the last two bits tell
+        } catch (IOException | UncheckedIOException e) {
+            return false;                                     // no such system
+        }
     }
 
     /** Opens a device or a pipe, or connects to a socket, which cannot be opened. */

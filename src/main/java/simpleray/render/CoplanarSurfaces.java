@@ -348,7 +348,7 @@ final class CoplanarSurfaces {
 
     /** {@return whether light passes through a face} */
     static boolean isClear(Scene scene, Face face) {
-        return !scene.getObject(face.object).surfaceMaterial.transmission.isBlack();
+        return !scene.getObject(face.object).isOpaque();
     }
 
     /** {@return a point in the overlap of two faces of one plane; null if there is none} */

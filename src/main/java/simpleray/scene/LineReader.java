@@ -185,7 +185,7 @@ final class LineReader {
         }
         System.arraycopy(buffer, start + from, copy, from, to - from);
         int i = from;
-        while (i < to && copy[i] != COMMENT) {
+        while (i < to && (copy[i] != COMMENT || i > from && copy[i - 1] == '.')) {   // 1.#IND is how some write NaN
             i += copy[i] < 0 ? blank(i, to) : 1;
         }
         Arrays.fill(copy, i, to + 1, (byte) ' ');

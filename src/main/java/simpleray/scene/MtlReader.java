@@ -157,9 +157,17 @@ final class MtlReader {
         return switch (property) {
             case D, TR -> readNumber(what + " from 0 to 1" + of, 0, 1);
             case NI -> readNumber(what + " of 1 or more" + of, 1, Double.MAX_VALUE);
-            case ILLUM -> readNumber(what + " from 0 to " + MAX_MODEL + of, 0, MAX_MODEL);
+            case ILLUM -> readModel(what + " from 0 to " + MAX_MODEL + of);
             default -> readNumber(what + " of 0 or more" + of, 0, Double.MAX_VALUE);
         };
+    }
+
+    private double readModel(String wanted) throws SceneFormatException {
+        double model = readNumber(wanted, 0, MAX_MODEL);
+        if (model != Math.rint(model)) {
+            throw lines.error(begin, wanted, Diagnostic.quoted(lines.text(begin, at)));
+        }
+        return model;
     }
 
     private double readNumber(String wanted, double least, double most) throws SceneFormatException {

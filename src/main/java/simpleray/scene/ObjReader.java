@@ -43,8 +43,10 @@ final class ObjReader {
     /** The most digits that always fit into an {@code int}. */
     private static final int MAX_DIGITS = 9;
     private static final int NONE = -1;
-    /** Not compiled, since few files have such a word. */
-    private static final String NOT_FINITE = "(?i)[+-]?(nan|inf|infinity)(\\(.*\\))?";
+    private static final String NORMAL = "normal ";
+    /** A word that is not finite, or a number too large for a double. Not compiled, since few files have such a word. */
+    private static final String NOT_FINITE =
+        "(?i)[+-]?((nan|inf|infinity)(\\(.*\\))?|1\\.#(ind|inf|[qs]nan)\\d*|(\\d+\\.?\\d*|\\.\\d+)(e\\+?\\d+)?)";
 
     private final LineReader lines;
     private final NumberParser numbers = new NumberParser();
@@ -193,9 +195,9 @@ final class ObjReader {
         double y;
         double z;
         try {
-            x = readNumber("normal ", normalCount, 'x');
-            y = readNumber("normal ", normalCount, 'y');
-            z = readNumber("normal ", normalCount, 'z');
+            x = readNumber(NORMAL, normalCount, 'x');
+            y = readNumber(NORMAL, normalCount, 'y');
+            z = readNumber(NORMAL, normalCount, 'z');
         } catch (NotFiniteException e) {
             aimless.add(lines);                                    // its components stay 0
             return;
@@ -220,7 +222,7 @@ final class ObjReader {
         int word = at;
         double value = numbers.parseDouble(bytes, word);
         at = numbers.end();
-        return Math.abs(value) <= Lengths.MAX ? value : readUnusualNumber(word, owner, number, axis);
+        return Math.abs(value) <= Lengths.MAX && bytes[at] != '#' ? value : readUnusualNumber(word, owner, number, axis);   // 1.#IND
     }
 
     private double readUnusualNumber(int begin, String owner, int number, char axis) throws SceneFormatException, NotFiniteException {
@@ -228,12 +230,12 @@ final class ObjReader {
         skipWord();
         String word = lines.text(begin, at);
         double value = NumberParser.parseDouble(word);
-        if (Math.abs(value) <= Lengths.MAX) {
+        if (Math.abs(value) <= (owner.equals(NORMAL) ? Double.MAX_VALUE : Lengths.MAX)) {
             return value;
         }
         String why = Double.isNaN(value) ? "" : " (beyond 1e100, the largest coordinate)";
         SceneFormatException problem = lines.error(begin, owner + number + "'s " + axis, found(word) + why);
-        if (word.matches(NOT_FINITE)) {
+        if (!Double.isNaN(value) || word.matches(NOT_FINITE)) {
             throw new NotFiniteException(problem);
         }
         throw problem;
@@ -339,7 +341,9 @@ final class ObjReader {
         String[] indices = word.split("/", -1);
         int vertex = index(begin, word, indices[0], vertexCount, "vertex");
         if (indices.length > 1 && !indices[1].isEmpty()) {
-            index(begin, word, indices[1], Integer.MAX_VALUE, "texture");
+            if (NumberParser.parseInteger(indices[1], Long.MIN_VALUE, Long.MAX_VALUE) == null) {
+                throw error(begin, "texture index", found(word));   // any will do, since no picture needs it
+            }
         }
         int normal = indices.length > 2 && !indices[2].isEmpty() ? normalIndex(begin, word, indices[2]) : NONE;
         if (indices.length > 3) {
@@ -361,7 +365,7 @@ final class ObjReader {
         Long value = NumberParser.parseInteger(index, -count, count);
         if (value == null || value == 0) {
             boolean number = NumberParser.parseInteger(index, Long.MIN_VALUE, Long.MAX_VALUE) != null;
-            String range = number && count < Integer.MAX_VALUE ? " among the " + count + " so far" : "";
+            String range = number ? " among the " + count + " so far" : "";
             throw error(begin, what + " index" + range, found(word));
         }
         return fromStart(value.intValue(), count);

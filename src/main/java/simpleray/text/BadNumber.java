@@ -5,7 +5,7 @@ import java.util.regex.Pattern;
 
 /** Describes, for a message, a word that was found in place of a number: the word, and why it is none where that is easily overlooked. */
 public final class BadNumber {
-    private static final Pattern NOT_FINITE = Pattern.compile("[-+]?(nan|inf|infinity)");
+    private static final Pattern NOT_FINITE = Pattern.compile("[-+]?(nan|inf|infinity|1\\.#(ind|inf|[qs]nan)[0-9]*)");
     private static final Pattern HEXADECIMAL = Pattern.compile("[-+]?0x[0-9a-f.p+-]*");
     private static final Pattern SUFFIXED = Pattern.compile("[-+]?[0-9.]+(e[-+]?[0-9]+)?[dfl]");
     private static final Pattern NO_INTEGER = Pattern.compile("[-+]?[0-9]*[.,eE][-+0-9.,eE]*");

@@ -29,6 +29,7 @@ final class Tokenizer {
     private final Mark here = new Mark();
     private final InputBuffer buffer;
     private final NumberParser numbers = new NumberParser();
+    private long skipped;            // the bytes of all headings
     private boolean grouped;
     private boolean first;           // the last word is the first on its line
     private boolean cut;             // the last word was not read to its end
@@ -89,6 +90,10 @@ final class Tokenizer {
         here.end = buffer.skipLine(MAX_LENGTH);
         if (buffer.offset(buffer.at) - here.start > MAX_LENGTH) {
             throw diagnostics.stop(buffer.locate(here), "expected a heading of at most " + MAX_LENGTH + " bytes, found a longer one");
+        }
+        skipped += here.end - here.start;
+        if (skipped > MAX_LENGTH) {
+            throw diagnostics.stop(buffer.locate(here), "expected a scene, found more than " + MAX_LENGTH + " bytes of headings");
         }
         if (diagnostics.hasRoom()) {
             SourceLocation location = buffer.locate(here);

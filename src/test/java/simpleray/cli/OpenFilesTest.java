@@ -143,6 +143,30 @@ class OpenFilesTest {
     }
 
     @Test
+    void aFileThatIsOpenForReadingOnlyIsNotWritten() throws IOException, InterruptedException {
+        Path file = Files.writeString(folder.resolve("file"), "old");
+        String line = "render @ball.scene -q --size 20x20 -o ";
+
+        assertCannotBeCreated(bash("R " + line + "/dev/fd/3 3<file"), "/dev/fd/3", "is open for reading only");
+        assertCannotBeCreated(bash("R " + line + "/dev/stdin <file"), "/dev/stdin", "is open for reading only");
+        assertThat(file).hasContent("old");
+        assertThat(bash("R " + line + "/dev/fd/3 3<>file").exitCode()).isZero();
+    }
+
+    @Test
+    void standardOutputMayBeNoInputEither() throws IOException, InterruptedException {
+        Path obj = Files.writeString(folder.resolve("a.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+        Path scene = Files.writeString(folder.resolve("a.scene"), "1\n4 \"a.obj\" 0 0 0 1  1 1 1  1 1 1  0 0 0  1\n0.5 0.5 0.5\n0\n");
+        byte[] before = Files.readAllBytes(scene);
+        String usage = " (see simpleray render --help)\n";
+
+        assertThat(bash("R render a.scene -q -o - >>a.scene").err()).isEqualTo("simpleray render: the output - is the scene itself" + usage);
+        assertThat(bash("R render a.scene -q -o - >>a.obj").err()).isEqualTo("simpleray render: the output - is read by the scene" + usage);
+        assertThat(scene).hasBinaryContent(before);
+        assertThat(obj).content().endsWith("f 1 2 3\n");
+    }
+
+    @Test
     void rowsOfAPictureThatIsNoFileAreKeptOnlyUnderAName() throws IOException, InterruptedException {
         Program.Result result = bash("R render @ball.scene -o /dev/null --resume");
 

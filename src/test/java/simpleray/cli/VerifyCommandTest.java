@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.io.InputStream;
+import java.io.SequenceInputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -317,6 +319,23 @@ class VerifyCommandTest {
             picture.setRow(y, new double[3 * width]);
         }
         return picture;
+    }
+
+    @Test
+    void whatNeverEndsIsReadNoFurtherThanNeeded() throws IOException {
+        InputStream zeros = new InputStream() {
+            @Override
+            public int read() {
+                return 0;
+            }
+        };
+        Program.Result no = InProcess.run(zeros, new ByteArrayOutputStream(), "verify", "-");
+        Program.Result more = InProcess.run(new SequenceInputStream(Files.newInputStream(picture), zeros), new ByteArrayOutputStream(), "verify", "-", "-q");
+
+        assertThat(no.err()).isEqualTo("simpleray: <stdin>: is no PNG\n");
+        assertThat(no.exitCode()).isEqualTo(ExitCode.BAD_SCENE);
+        assertThat(more.err()).isEmpty();
+        assertThat(more.exitCode()).isZero();
     }
 
     @Test

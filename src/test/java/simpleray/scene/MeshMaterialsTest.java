@@ -267,7 +267,8 @@ class MeshMaterialsTest {
     @CsvSource(delimiter = '|', quoteCharacter = '"', value = {"Kd x 0 0|4|Kd red of 0 or more in material 'red', found 'x'", "Ka 0 0 -1|8|Ka blue of 0 or more in material 'red', found '-1'",
         "Ks 0 1|7|Ks blue of 0 or more in material 'red', found the end of the line", "kd|3|kd red of 0 or more in material 'red', found the end of the line",
         "Ns nan|4|Ns of 0 or more in material 'red', found 'nan' (numbers must be finite)", "d 1,0|3|d from 0 to 1 in material 'red', found '1,0' (a decimal point is a '.')",
-        "Tr 2|4|Tr from 0 to 1 in material 'red', found '2'", "illum 11|7|illum from 0 to 10 in material 'red', found '11'"})
+        "Tr 2|4|Tr from 0 to 1 in material 'red', found '2'", "illum 11|7|illum from 0 to 10 in material 'red', found '11'",
+        "illum 2.5|7|illum from 0 to 10 in material 'red', found '2.5'"})
     void aWrongValueIsAnErrorWhereItStands(String line, int column, String message) {
         assertThatThrownBy(() -> material("newmtl red\n" + line + "\n")).isInstanceOf(SceneFormatException.class)
             .hasMessageStartingWith(folder.resolve("a.mtl") + ":2:" + column + ": error: expected " + message + '\n' + line + '\n');

@@ -1,8 +1,10 @@
 package simpleray.image.png;
 
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.PushbackInputStream;
+import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.zip.CRC32;
@@ -14,6 +16,9 @@ import java.util.zip.CRC32;
 public final class PngChunks {
     /** The first bytes of each file; no text in UTF-8 begins with them. */
     private static final byte[] SIGNATURE = {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
+    /** The bytes of a chunk's length and type, and of its checksum. */
+    private static final int HEAD = 8;
+    private static final int SUM = 4;
     /** The chunk of a text. */
     static final String TEXT = "iTXt";
     private static final String LAST = "IEND";
@@ -65,6 +70,28 @@ public final class PngChunks {
         }
         in.unread(head, 0, end);
         return false;
+    }
+
+    /**
+     * Reads a PNG file up to the end of its last chunk; of any other file the first bytes only. Does not check the chunks.
+     *
+     * @param in the file
+     * @return its bytes, fewer if it breaks off
+     * @throws IOException if it cannot be read
+     */
+    public static byte[] readFile(InputStream in) throws IOException {
+        ByteArrayOutputStream file = new ByteArrayOutputStream();
+        file.write(in.readNBytes(SIGNATURE.length));
+        boolean more = Arrays.equals(file.toByteArray(), SIGNATURE);
+        while (more) {
+            byte[] head = in.readNBytes(HEAD);
+            long length = head.length < HEAD ? 0 : Integer.toUnsignedLong(ByteBuffer.wrap(head).getInt()) + SUM;
+            byte[] rest = in.readNBytes((int) Math.min(length, Integer.MAX_VALUE));
+            file.write(head);
+            file.write(rest);
+            more = length > 0 && rest.length == length && !new String(head, StandardCharsets.US_ASCII).endsWith(LAST);
+        }
+        return file.toByteArray();
     }
 
     /**
