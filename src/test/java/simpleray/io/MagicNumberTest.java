@@ -11,6 +11,7 @@ import java.nio.ByteOrder;
 import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -124,5 +125,30 @@ class MagicNumberTest {
             }
         };
         assertThat(MagicNumber.nameOf(new PushbackInputStream(slow, MagicNumber.LENGTH))).isNull();
+    }
+
+    private static String marked(int length, String... marks) throws IOException {
+        return nameOf(("ab" + String.join("", marks) + " ".repeat(length)).substring(0, length).getBytes(StandardCharsets.UTF_8));
+    }
+
+    @Test
+    void aTextHasFewControlCharacters() throws IOException {
+        assertThat(marked(100, "\u0001".repeat(7))).isNull();
+        assertThat(marked(100, "\u0001".repeat(8))).isEqualTo("binary data");
+        assertThat(marked(512, "\u0001".repeat(15))).isNull();
+        assertThat(marked(512, "\u0001".repeat(16))).isEqualTo("binary data");
+        for (String harmless : List.of("\b", "\t", "\n", "\u000B", "\f", "\r", "\u001B", " ", "~")) {
+            assertThat(marked(100, harmless.repeat(20))).isNull();
+        }
+        for (String control : List.of("\u0007", "\u000E", "\u001A", "\u007F")) {
+            assertThat(marked(100, control.repeat(8))).isEqualTo("binary data");
+        }
+    }
+
+    @Test
+    void nulsInEachSecondPlaceAreUtf16IfTheyAreHalfOfTheControlCharacters() throws IOException {
+        assertThat(marked(100, "\0c\0d\0e\0f", "\u0001".repeat(4))).isEqualTo("UTF-16");
+        assertThat(marked(100, "\0c\0d\0e\0f", "\u0001".repeat(5))).isEqualTo("binary data");
+        assertThat(marked(100, "\0\0cd\0e\0f", "\u0001".repeat(4))).isEqualTo("binary data");
     }
 }

@@ -4,8 +4,13 @@ import java.io.IOException;
 import java.lang.reflect.InvocationTargetException;
 import java.lang.reflect.Proxy;
 import java.net.URI;
+import java.nio.ByteBuffer;
+import java.nio.MappedByteBuffer;
 import java.nio.channels.FileChannel;
+import java.nio.channels.FileLock;
+import java.nio.channels.ReadableByteChannel;
 import java.nio.channels.SeekableByteChannel;
+import java.nio.channels.WritableByteChannel;
 import java.nio.file.AccessMode;
 import java.nio.file.CopyOption;
 import java.nio.file.DirectoryStream;
@@ -39,6 +44,19 @@ class TrickyDisk extends FileSystemProvider {
         void at(Path file) throws IOException;
     }
 
+    /** A fault of the disk. */
+    @FunctionalInterface
+    interface Fault {
+        /** Refuses an operation (channel, bytes, lock, write, truncate, move, delete or permissions) by an exception. */
+        void at(String operation, Path file) throws IOException;
+    }
+
+    /** Asked before each operation. */
+    Fault fault = (operation, file) -> { };
+    /** Whether files can be locked; else somebody seems to have them. */
+    boolean lockable = true;
+    /** The views of attributes that the disk says it has. */
+    Set<String> views = Set.of("basic");
     /** What happens next when a channel has been opened to lock a file; one event each time. */
     final Deque<Event> locking = new ArrayDeque<>();
     /** What happens before a file is opened to be written. */
@@ -92,7 +110,8 @@ class TrickyDisk extends FileSystemProvider {
 
     @Override
     public FileChannel newFileChannel(Path path, Set<? extends OpenOption> options, FileAttribute<?>... attributes) throws IOException {
-        FileChannel channel = provider(path).newFileChannel(real(path), options, attributes);
+        fault.at("channel", real(path));
+        FileChannel channel = new Channel(provider(path).newFileChannel(real(path), options, attributes), real(path));
         channels.add(channel);
         if (!locking.isEmpty()) {
             locking.remove().at(real(path));
@@ -104,6 +123,7 @@ class TrickyDisk extends FileSystemProvider {
     public SeekableByteChannel newByteChannel(Path path, Set<? extends OpenOption> options, FileAttribute<?>... attributes)
             throws IOException {
         writing.at(real(path));
+        fault.at("bytes", real(path));
         return provider(path).newByteChannel(real(path), options, attributes);
     }
 
@@ -129,11 +149,13 @@ class TrickyDisk extends FileSystemProvider {
 
     @Override
     public void delete(Path path) throws IOException {
+        fault.at("delete", real(path));
         Files.delete(real(path));
     }
 
     @Override
     public void move(Path source, Path target, CopyOption... options) throws IOException {
+        fault.at("move", real(target));
         Files.move(real(source), real(target), options);
     }
 
@@ -144,7 +166,13 @@ class TrickyDisk extends FileSystemProvider {
 
     @Override
     public <V extends FileAttributeView> V getFileAttributeView(Path path, Class<V> type, LinkOption... options) {
-        return Files.getFileAttributeView(real(path), type, options);
+        V view = Files.getFileAttributeView(real(path), type, options);
+        return type.cast(Proxy.newProxyInstance(TrickyDisk.class.getClassLoader(), new Class<?>[] {type}, (self, method, args) -> {
+            if (method.getName().equals("setPermissions")) {
+                fault.at("permissions", real(path));
+            }
+            return method.invoke(view, args);
+        }));
     }
 
     @Override
@@ -202,6 +230,111 @@ class TrickyDisk extends FileSystemProvider {
         throw new UnsupportedOperationException();
     }
 
+    /** A channel of this disk. */
+    private final class Channel extends FileChannel {
+        private final FileChannel channel;
+        private final Path file;
+
+        Channel(FileChannel channel, Path file) {
+            this.channel = channel;
+            this.file = file;
+        }
+
+        @Override
+        public int read(ByteBuffer bytes) throws IOException {
+            return channel.read(bytes);
+        }
+
+        @Override
+        public long read(ByteBuffer[] bytes, int first, int count) throws IOException {
+            return channel.read(bytes, first, count);
+        }
+
+        @Override
+        public int read(ByteBuffer bytes, long place) throws IOException {
+            return channel.read(bytes, place);
+        }
+
+        @Override
+        public int write(ByteBuffer bytes) throws IOException {
+            fault.at("write", file);
+            return channel.write(bytes);
+        }
+
+        @Override
+        public long write(ByteBuffer[] bytes, int first, int count) throws IOException {
+            fault.at("write", file);
+            return channel.write(bytes, first, count);
+        }
+
+        @Override
+        public int write(ByteBuffer bytes, long place) throws IOException {
+            fault.at("write", file);
+            return channel.write(bytes, place);
+        }
+
+        @Override
+        public long position() throws IOException {
+            return channel.position();
+        }
+
+        @Override
+        public FileChannel position(long place) throws IOException {
+            channel.position(place);
+            return this;
+        }
+
+        @Override
+        public long size() throws IOException {
+            return channel.size();
+        }
+
+        @Override
+        public FileChannel truncate(long size) throws IOException {
+            fault.at("truncate", file);
+            channel.truncate(size);
+            return this;
+        }
+
+        @Override
+        public void force(boolean all) throws IOException {
+            channel.force(all);
+        }
+
+        @Override
+        public long transferTo(long place, long count, WritableByteChannel target) throws IOException {
+            return channel.transferTo(place, count, target);
+        }
+
+        @Override
+        public long transferFrom(ReadableByteChannel source, long place, long count) throws IOException {
+            fault.at("write", file);
+            return channel.transferFrom(source, place, count);
+        }
+
+        @Override
+        public MappedByteBuffer map(MapMode mode, long place, long size) throws IOException {
+            return channel.map(mode, place, size);
+        }
+
+        @Override
+        public FileLock lock(long place, long size, boolean shared) throws IOException {
+            fault.at("lock", file);
+            return channel.lock(place, size, shared);
+        }
+
+        @Override
+        public FileLock tryLock(long place, long size, boolean shared) throws IOException {
+            fault.at("lock", file);
+            return lockable ? channel.tryLock(place, size, shared) : null;
+        }
+
+        @Override
+        protected void implCloseChannel() throws IOException {
+            channel.close();
+        }
+    }
+
     /** Hands out this disk's provider, and knows little else. */
     private final class System extends FileSystem {
         @Override
@@ -211,7 +344,7 @@ class TrickyDisk extends FileSystemProvider {
 
         @Override
         public Set<String> supportedFileAttributeViews() {
-            return Set.of("basic");
+            return views;
         }
 
         @Override
