@@ -52,7 +52,7 @@ public final class ShortestDecimal {
      * @param size a positive number
      * @return the decimal; null if it has more digits, or is written with an exponent
      */
-    private static String ofFewDigits(double size) {
+    static String ofFewDigits(double size) {
         double power = 1;
         for (int decimals = 0; size >= 1e-3 && size < 1e7 && size * power < 1e15; decimals++) {
             double n = Math.rint(size * power);

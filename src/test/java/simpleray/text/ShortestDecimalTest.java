@@ -11,6 +11,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Both {@code of}, which programs call, and {@code search}, which it uses on old runtimes only. */
 class ShortestDecimalTest {
@@ -62,6 +63,18 @@ class ShortestDecimalTest {
             float f = Math.scalb(1f, k);
             assertThat(Float.parseFloat(ShortestDecimal.search(f))).as("2^" + k).isEqualTo(f);
         }
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"0.001", "0.5", "4.0", "0.3", "9999999.0", "1234567.12345678", "0.00123456789012345", "100.25"})
+    void fewDigitsNeedNoSearch(String decimal) {
+        assertThat(ShortestDecimal.ofFewDigits(Double.parseDouble(decimal))).isEqualTo(decimal);
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {0.000999, 1e7, 0.1234567890123456, 1.0 / 3, Double.MIN_VALUE, Double.MAX_VALUE, 1e15})
+    void allOtherNumbersDo(double d) {
+        assertThat(ShortestDecimal.ofFewDigits(d)).isNull();
     }
 
     @Test
