@@ -2,6 +2,9 @@ package simpleray.scene;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static simpleray.scene.MaterialText.assertMissing;
+import static simpleray.scene.MaterialText.assertWrong;
+import static simpleray.scene.MaterialText.read;
 import static simpleray.text.SceneText.reader;
 import static simpleray.text.SceneText.written;
 
@@ -87,18 +90,14 @@ class MaterialGlassTextTest {
         "transmit 0 0 0 0.999 | 16 | refractive index of 1 or more (a bubble in glass: docs/pictures.md), found '0.999'",
         "transmit 0 0 0 Infinity | 16 | refractive index, found 'Infinity' (numbers must be finite)"})
     void whatIsWrongWithItIsNamed(String line, int column, String expected) {
-        assertThatThrownBy(() -> new Scene().read(reader("1\n0 0 0 0 1 " + MATT + '\n' + line + "\n0 0 0\n0\n"))).hasMessage(
-            "<stdin>:3:" + column + ": error: expected object 1's " + expected + '\n' + line + '\n' + " ".repeat(column - 1) + '^');
+        assertWrong(MATT, line, column, expected);
     }
 
     @ParameterizedTest
     @CsvSource({"transmit, transmitted red", "transmit 1, transmitted green", "transmit 1 1, transmitted blue",
         "transmit 1 1 1, refractive index"})
     void whatIsMissingOfItIsNamed(String line, String expected) {
-        int column = line.length() + 1;
-
-        assertThatThrownBy(() -> new Scene().read(reader("1\n0 0 0 0 1 " + MATT + '\n' + line))).hasMessage("<stdin>:3:" + column
-            + ": error: expected object 1's " + expected + ", found the end of the file\n" + line + '\n' + " ".repeat(column - 1) + '^');
+        assertMissing(MATT, line, expected);
     }
 
     @Test
@@ -107,14 +106,5 @@ class MaterialGlassTextTest {
 
         assertThatThrownBy(() -> new Scene().read(reader("1\n0 0 0 0 1 " + MATT + '\n' + line + "\n0\n"))).hasMessage(
             "<stdin>:3:18: error: expected the scene's ambient red, found 'transmit'\n" + line + '\n' + " ".repeat(17) + '^');
-    }
-
-    private static Material read(String text) throws IOException {
-        Material material = new Material();
-        SceneReader is = reader(text);
-        material.read(is);
-        assertThat(is.eof()).isTrue();
-        assertThat(is.warnings()).isEmpty();
-        return material;
     }
 }

@@ -2,6 +2,9 @@ package simpleray.scene;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static simpleray.scene.MaterialText.assertMissing;
+import static simpleray.scene.MaterialText.assertWrong;
+import static simpleray.scene.MaterialText.read;
 import static simpleray.text.SceneText.reader;
 import static simpleray.text.SceneText.written;
 
@@ -103,8 +106,7 @@ class MaterialMirrorTextTest {
         "mirror 0 0 0 transmit 1 1 1 1 mirror 1 1 1 | 31 | keyword mirror only once, found 'mirror'",
         "transmit 1 1 1 1 mirror 0 0 0 transmit 1 1 1 1 | 31 | keyword transmit only once, found 'transmit'"})
     void whatIsWrongWithItIsNamed(String line, int column, String expected) {
-        assertThatThrownBy(() -> new Scene().read(reader("1\n0 0 0 0 1 " + SHINY + '\n' + line + "\n0 0 0\n0\n"))).hasMessage(
-            "<stdin>:3:" + column + ": error: expected object 1's " + expected + '\n' + line + '\n' + " ".repeat(column - 1) + '^');
+        assertWrong(SHINY, line, column, expected);
     }
 
     @Test
@@ -116,18 +118,6 @@ class MaterialMirrorTextTest {
     @ParameterizedTest
     @CsvSource({"mirror, mirrored red", "mirror 1, mirrored green", "mirror 1 1, mirrored blue"})
     void whatIsMissingOfItIsNamed(String line, String expected) {
-        int column = line.length() + 1;
-
-        assertThatThrownBy(() -> new Scene().read(reader("1\n0 0 0 0 1 " + SHINY + '\n' + line))).hasMessage("<stdin>:3:" + column
-            + ": error: expected object 1's " + expected + ", found the end of the file\n" + line + '\n' + " ".repeat(column - 1) + '^');
-    }
-
-    private static Material read(String text) throws IOException {
-        Material material = new Material();
-        SceneReader is = reader(text);
-        material.read(is);
-        assertThat(is.eof()).isTrue();
-        assertThat(is.warnings()).isEmpty();
-        return material;
+        assertMissing(SHINY, line, expected);
     }
 }
