@@ -46,17 +46,20 @@ class FaultyDiskTest {
     @BeforeAll
     static void makeTheDiskAndWhatIsRead() throws IOException, InterruptedException {
         library = made.resolve("faulty-disk.so");
-        Path source = Project.root().resolve("src/test/resources/disk/faulty-disk.c");
-        try {
-            Process compiler = new ProcessBuilder("gcc", "-shared", "-fPIC", "-o", library.toString(), source.toString(), "-ldl").start();
-            assumeTrue(Program.finish(compiler, new byte[0]).exitCode() == 0, "gcc cannot compile the disk: this is no Linux");
-        } catch (IOException e) {
-            assumeTrue(false, "no gcc");
-        }
+        assumeTrue(isDiskCompiled(Project.root().resolve("src/test/resources/disk/faulty-disk.c")), "no gcc that compiles the disk");
         Files.writeString(made.resolve("ball.scene"), SmallScenes.ROUGH);
         for (String cop : List.of("2", "3")) {
             assertThat(InProcess.run("render", made.resolve("ball.scene").toString(), "-q", "--size", "20x20", "--cop", cop, "-o",
                 made.resolve(cop.equals("2") ? "one.png" : "other.png").toString()).exitCode()).isZero();
+        }
+    }
+
+    private static boolean isDiskCompiled(Path source) throws InterruptedException {
+        try {
+            Process compiler = new ProcessBuilder("gcc", "-shared", "-fPIC", "-o", library.toString(), source.toString(), "-ldl").start();
+            return Program.finish(compiler, new byte[0]).exitCode() == 0;
+        } catch (IOException e) {
+            return false;                                     // there is no gcc
         }
     }
 
