@@ -176,6 +176,17 @@ class CoplanarSurfacesTest {
     }
 
     @Test
+    void whatIsGlassByAnMtlFileIsGlass() throws IOException {
+        Files.writeString(folder.resolve("ice.mtl"), "newmtl ice\nd 0.1\n");
+        Files.writeString(folder.resolve("ice.obj"), "mtllib ice.mtl\nusemtl ice\n" + CUBE);
+        String[] ice = {"1 0 1 0 -1", "4 \"ice.obj\" 2 -1 0 0.5" + MATT + " mtl"};
+
+        assertThat(warnings(ice)).singleElement().asString().contains("objects 1 (line 2) and 2 (line 3)", ": rounding decides");
+        assertThat(overlaps(SceneLint.striking(read(ice), "a"))).hasSize(1);
+        assertThat(warnings(ice[0], "4 \"ice.obj\" 2 -0.99999995 0 0.5" + MATT + " mtl")).hasSize(1);
+    }
+
+    @Test
     void bodiesWithOneTopAreSeenFromAbove() throws IOException {
         String[] drums = {"3 0 -1 0 0 0 0 0.5", "3 0.3 -2 0 0.3 0 0 0.5"};
 
