@@ -16,7 +16,7 @@ import simpleray.Sample;
 
 /** Polygons cut into triangles, against Java's own rule of what is inside. */
 class EarClipperTest {
-    private static final int POINTS = 200;
+    private static final int POINTS = Sample.size(200, 200);
     private final EarClipper clipper = new EarClipper();
 
     /** Places the plane of a drawing in space. */
