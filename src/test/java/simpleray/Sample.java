@@ -8,12 +8,12 @@ import java.util.Random;
 /**
  * How much the long tests try: everything by {@code ./check --all}, which sets the system property {@code simpleray.all}, and else a small
  * sample, the same one each time. What no sample makes short is tagged {@code slow} and left out. PIT, which runs each test thousands of
- * times, sets {@code simpleray.least} and has a twentieth of the sample.
+ * times, sets {@code simpleray.least} and has a quarter of the sample.
  */
 public final class Sample {
     private static final boolean ALL = Boolean.getBoolean("simpleray.all");
     private static final boolean LEAST = Boolean.getBoolean("simpleray.least");
-    private static final int LEAST_SHARE = 20;
+    private static final int LEAST_SHARE = 4;
     private static final long SEED = 20261129;
 
     private Sample() {
