@@ -13,7 +13,7 @@ if not defined java goto nojava
 if not exist "%java%" goto nojava
 
 set "options=-XX:-UsePerfData"
-if "%~1"=="render" set "options=%options% -XX:+UseSerialGC -XX:NewRatio=1"
+if "%~1"=="render" set "options=%options% -XX:+UseSerialGC -XX:NewRatio=4 -XX:MinHeapFreeRatio=10 -XX:MaxHeapFreeRatio=25"
 "%java%" %options% %SIMPLERAY_OPTS% -jar "%jar%" %*
 set "code=%ERRORLEVEL%"
 if not "%code%"=="1" exit /b %code%

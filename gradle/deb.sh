@@ -32,7 +32,7 @@ cat >"$image/usr/bin/simpleray" <<'END'
 here=$(dirname -- "$(readlink -f -- "$0")")/../lib/simpleray
 case ${LC_ALL:-${LC_CTYPE:-${LANG:-C}}} in C | POSIX) export LC_ALL=C.UTF-8 ;; esac    # names of files need UTF-8
 options=-XX:-UsePerfData
-case ${1-} in render) options="$options -XX:+UseSerialGC -XX:NewRatio=1" ;; esac
+case ${1-} in render) options="$options -XX:+UseSerialGC -XX:NewRatio=4 -XX:MinHeapFreeRatio=10 -XX:MaxHeapFreeRatio=25" ;; esac
 # A JVM that does not start for an option ends with 1, as verify does if pictures differ: it is tried, unless it would do something twice.
 case ${SIMPLERAY_OPTS-}${JAVA_TOOL_OPTIONS-}${JDK_JAVA_OPTIONS-}${_JAVA_OPTIONS-} in
     '' | *jdwp* | *Archive* | *AOT* | *Recording*) ;;
