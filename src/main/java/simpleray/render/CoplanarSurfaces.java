@@ -24,7 +24,7 @@ import simpleray.scene.Triangle;
  */
 final class CoplanarSurfaces {
     /** An upper bound of the rounding errors of a face's vertices, as a share of its coordinates. */
-    private static final double ROUNDINGS = 0x1p-44;
+    static final double ROUNDINGS = 0x1p-44;
     /** A smaller share of the smaller face is no overlap, but the rounding of vertices with six digits. */
     private static final double MIN_SHARE = 1e-5;
     /** The number of vertices that stand for a circle. */
@@ -69,24 +69,27 @@ final class CoplanarSurfaces {
      *
      * @param first the index of the object listed first
      * @param second that of the other, or the same
+     * @param firstFace the number of a face that overlaps among those of the first, from 0; of a mesh the triangle
+     * @param secondFace that of the face of the second which it overlaps; of one object the later
      * @param place a point where they overlap
      * @param seen whether an overlap of them may be seen
      */
-    record Pair(int first, int second, Point place, boolean seen) {
+    record Pair(int first, int second, int firstFace, int secondFace, Point place, boolean seen) {
     }
 
     /**
      * A flat face.
      *
      * @param object the index of its object
+     * @param number its number among those of the object, from 0
      * @param normal its unit normal, outward
      * @param offset the distance of its plane from the origin, along the normal
      * @param corners its vertices, anticlockwise as seen from outside; none for an infinite plane
      */
-    record Face(int object, Vector normal, double offset, Point[] corners) {
-        private static Face of(int object, Point... corners) {
+    record Face(int object, int number, Vector normal, double offset, Point[] corners) {
+        private static Face of(int object, int number, Point... corners) {
             Vector normal = Vector.cross(Vector.subtract(corners[1], corners[0]), Vector.subtract(corners[2], corners[0])).normalised();
-            return new Face(object, normal, normal.dot(corners[0]), corners);
+            return new Face(object, number, normal, normal.dot(corners[0]), corners);
         }
 
         private double size() {
@@ -159,21 +162,21 @@ final class CoplanarSurfaces {
     private Face face(int number) {
         int object = object(number);
         Object of = scene.getObject(object);
+        int face = number - starts[object];
         if (of instanceof Plane plane) {
-            return new Face(object, plane.normal.normalised(), plane.constant / plane.normal.norm(), new Point[0]);
+            return new Face(object, face, plane.normal.normalised(), plane.constant / plane.normal.norm(), new Point[0]);
         } else if (of instanceof Triangle t) {
-            return Face.of(object, t.a, t.b, t.c);
+            return Face.of(object, face, t.a, t.b, t.c);
         } else if (of instanceof Mesh mesh) {
-            int triangle = number - starts[object];
-            return Face.of(object, mesh.vertex(triangle, 0), mesh.vertex(triangle, 1), mesh.vertex(triangle, 2));
+            return Face.of(object, face, mesh.vertex(face, 0), mesh.vertex(face, 1), mesh.vertex(face, 2));
         }
         Cylinder cylinder = (Cylinder) of;
-        return number == starts[object] ? disc(object, cylinder.start, cylinder.end, cylinder.radius)
-            : disc(object, cylinder.end, cylinder.start, cylinder.radius);
+        return face == 0 ? disc(object, face, cylinder.start, cylinder.end, cylinder.radius)
+            : disc(object, face, cylinder.end, cylinder.start, cylinder.radius);
     }
 
     /** {@return the end of a cylinder} */
-    private static Face disc(int object, Point middle, Point otherEnd, double radius) {
+    private static Face disc(int object, int number, Point middle, Point otherEnd, double radius) {
         Vector axis = Vector.subtract(middle, otherEnd).normalised();
         Vector across = Vector.cross(axis, Math.abs(axis.x) < Math.abs(axis.y) ? new Vector(1, 0, 0) : new Vector(0, 1, 0)).normalised();
         Vector along = Vector.cross(axis, across);
@@ -183,7 +186,7 @@ final class CoplanarSurfaces {
             ring[i] = Point.add(Point.add(middle, Vector.scale(across, radius * Math.cos(angle))),
                 Vector.scale(along, radius * Math.sin(angle)));
         }
-        return new Face(object, axis, axis.dot(middle), ring);
+        return new Face(object, number, axis, axis.dot(middle), ring);
     }
 
     private void find() {
@@ -341,7 +344,10 @@ final class CoplanarSurfaces {
             long key = key(one.object, other.object);
             boolean seen = sight.reaches(one, other);
             if (seen || !pairs.containsKey(key)) {
-                pairs.put(key, new Pair((int) (key >> Integer.SIZE), (int) key, place, seen));
+                boolean inOrder = one.object < other.object || one.object == other.object && one.number < other.number;
+                Face first = inOrder ? one : other;
+                Face second = inOrder ? other : one;
+                pairs.put(key, new Pair(first.object, second.object, first.number, second.number, place, seen));
             }
         }
     }

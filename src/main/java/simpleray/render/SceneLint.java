@@ -7,6 +7,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.stream.IntStream;
 import simpleray.math.Bounds;
 import simpleray.math.Colour;
 import simpleray.math.Point;
@@ -16,6 +17,8 @@ import simpleray.scene.Camera;
 import simpleray.scene.Integrator;
 import simpleray.scene.Interaction;
 import simpleray.scene.Intersector;
+import simpleray.scene.Material;
+import simpleray.scene.Mesh;
 import simpleray.scene.Object;
 import simpleray.scene.Plane;
 import simpleray.scene.RayStats;
@@ -63,6 +66,7 @@ public final class SceneLint {
     private final Camera camera;
     private final List<Diagnostic> problems = new ArrayList<>();
     private final Seen seen = new Seen();
+    private List<Bounds> bending;
     private int rays;
     private int clipped;
     private double brightest = WHITE;
@@ -180,8 +184,11 @@ public final class SceneLint {
     }
 
     private void warnOfOverlap(CoplanarSurfaces.Pair pair, String rest) {
-        String who = pair.first() == pair.second() ? "faces of object " + named(pair.first())
-            : "objects " + named(pair.first()) + " and " + named(pair.second());
+        String first = place(pair.first(), pair.firstFace());
+        String second = place(pair.second(), pair.secondFace());
+        String both = second == null || second.equals(first) ? first : first + " and " + second;   // of one mesh
+        String who = pair.first() == pair.second() ? "faces of object " + named(pair.first(), both)
+            : "objects " + named(pair.first(), first) + " and " + named(pair.second(), second);
         warn(file.lineOfObject(pair.second()), who + " overlap in one plane, as at " + StoryText.point(pair.place()) + rest);
     }
 
@@ -189,12 +196,21 @@ public final class SceneLint {
         return pairs + (pairs == 1 ? " more pair" : " more pairs") + " of objects";
     }
 
-    private String named(int object) {
-        int line = file.lineOfObject(object);
-        return object + 1 + (line > 0 ? " (line " + line + ')' : "");
+    /** {@return where a face stands in a mesh's OBJ; null if it is of no OBJ} */
+    private String place(int object, int face) {
+        return scene.getObject(object) instanceof Mesh mesh ? mesh.place(face) : null;
     }
 
-    /** {@return whether an overlap of two faces may be seen} It is not if an opaque body of another object lies on it, on the eye's side. */
+    private String named(int object, String place) {
+        int line = file.lineOfObject(object);
+        String where = (line > 0 ? "line " + line : "") + (line > 0 && place != null ? ", " : "") + (place == null ? "" : place);
+        return object + 1 + (where.isEmpty() ? "" : " (" + where + ')');
+    }
+
+    /**
+     * {@return whether an overlap of two faces may be seen} From a side on which an opaque body of another object lies on it, it is not. The eye
+     * is on one side; the other is seen by what mirrors or bends a ray there, unless an endless opaque plane is between.
+     */
     private boolean isSeen(CoplanarSurfaces.Face one, CoplanarSurfaces.Face other, Map<Integer, Boolean> solid) {
         boolean[] hidden = new boolean[2];                    // from below and from above, as the one's normal has it
         for (CoplanarSurfaces.Face face : List.of(one, other)) {
@@ -202,8 +218,45 @@ public final class SceneLint {
                 hidden[face.normal().dot(one.normal()) > 0 ? 0 : 1] = true;
             }
         }
-        boolean eyeAbove = one.normal().dot(camera.eye()) > one.offset();
-        return one.object() == other.object() || !hidden[eyeAbove ? 1 : 0];
+        int eye = one.normal().dot(camera.eye()) > one.offset() ? 1 : 0;
+        return one.object() == other.object() || !hidden[eye] || !hidden[1 - eye] && !isEndless(one) && !isEndless(other)
+            && bending().stream().anyMatch(box -> box == null || reaches(box, one, eye == 0));
+    }
+
+    private boolean isEndless(CoplanarSurfaces.Face face) {
+        return face.corners().length == 0 && !CoplanarSurfaces.isClear(scene, face);
+    }
+
+    /** {@return whether a box reaches above or below a face's plane} */
+    private static boolean reaches(Bounds box, CoplanarSurfaces.Face face, boolean above) {
+        double[] sides = new double[6];
+        box.get(sides);
+        double height = -face.offset();
+        double rounding = 0;
+        for (int axis = 0; axis < 3; axis++) {
+            double along = axis == 0 ? face.normal().x : axis == 1 ? face.normal().y : face.normal().z;
+            height += along * sides[along > 0 == above ? axis + 3 : axis];
+            rounding += Math.abs(sides[axis]) + Math.abs(sides[axis + 3]);
+        }
+        return (above ? height : -height) > Object.THRESHOLD + CoplanarSurfaces.ROUNDINGS * (rounding + Math.abs(face.offset()));
+    }
+
+    /** {@return the boxes of the objects that mirror or transmit rays, null for an infinite one} */
+    private List<Bounds> bending() {
+        if (bending == null) {
+            bending = new ArrayList<>();
+            for (int i = 0; i < scene.getNumberObjects(); i++) {
+                Object object = scene.getObject(i);
+                if (IntStream.range(0, object.parts()).mapToObj(object::material).anyMatch(SceneLint::bends)) {
+                    bending.add(object.bounds());
+                }
+            }
+        }
+        return bending;
+    }
+
+    private static boolean bends(Material material) {
+        return material.reflections() > 0 && !(material.mirrored().isBlack() && material.transmission.isBlack());
     }
 
     private void warn(int line, String message) {

@@ -54,7 +54,7 @@ public final class Mesh extends Object {
      * @throws IOException if it cannot be read
      */
     public Mesh(Material n, String file, Point offset, double scale) throws IOException {
-        this(n, file, offset, scale, ObjReader.read(Path.of(file), warning -> { }));
+        this(n, file, offset, scale, new TriangleMesh(ObjReader.read(Path.of(file), warning -> { }), Path.of(file)));
     }
 
     /**
@@ -71,11 +71,15 @@ public final class Mesh extends Object {
 
     /** Creates the mesh of some triangles; the file is not read. */
     Mesh(Material n, String file, Point offset, double scale, Triangles triangles) {
+        this(n, file, offset, scale, new TriangleMesh(triangles));
+    }
+
+    private Mesh(Material n, String file, Point offset, double scale, TriangleMesh mesh) {
         super(n);
         this.file = file;
         this.offset = offset;
         this.scale = scale;
-        mesh = new TriangleMesh(triangles);
+        this.mesh = mesh;
     }
 
     /** {@return the number of triangles} */
@@ -111,6 +115,21 @@ public final class Mesh extends Object {
         int n = 3 * numbers[3 * triangle + corner];
         double[] all = mesh.triangles.normals();
         return new Vector(all[n], all[n + 1], all[n + 2]);
+    }
+
+    /**
+     * Finds the line of a triangle's polygon. No mesh keeps its lines: the OBJ is read again up to there.
+     *
+     * @param triangle the triangle, from 0
+     * @return the OBJ, as messages call it, a colon and the line, from 1; null if there is no OBJ, or it does not have the triangle any more
+     */
+    public String place(int triangle) {
+        try {
+            int line = mesh.path == null ? 0 : ObjReader.line(mesh.path, triangle);
+            return line == 0 ? null : mesh.path + ":" + line;
+        } catch (IOException e) {
+            return null;
+        }
     }
 
     /** {@return a mesh for each material that triangles have, with these triangles alone; this mesh if all have its own} */

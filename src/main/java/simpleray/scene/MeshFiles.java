@@ -76,7 +76,7 @@ final class MeshFiles {
             List<Diagnostic> problems = new ArrayList<>();
             try {
                 mesh = new TriangleMesh(ObjReader.read(path, problems::add,
-                    digest -> read.add(new SourceText.MeshFile(name, digest))));
+                    digest -> read.add(new SourceText.MeshFile(name, digest))), path);
             } catch (SceneFormatException e) {
                 problems.addAll(e.problems());
             }

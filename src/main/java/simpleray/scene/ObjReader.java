@@ -126,6 +126,27 @@ final class ObjReader {
         return reader.triangles(warnings);
     }
 
+    /**
+     * Finds the line on which a triangle's polygon begins.
+     *
+     * @param path the file
+     * @param triangle the triangle, from 0
+     * @return the line, from 1; 0 if there is no such triangle
+     * @throws IOException if the file cannot be read, or has an error before it
+     */
+    static int line(Path path, int triangle) throws IOException {
+        try (InputStream in = MeshFiles.open(path)) {
+            ObjReader reader = new ObjReader(new LineReader(in, path.toString()));
+            while (reader.lines.read()) {
+                reader.readLine();
+                if (reader.triangleEnd / 3 > triangle) {
+                    return reader.lines.number();
+                }
+            }
+            return 0;
+        }
+    }
+
     private void readLine() throws SceneFormatException {
         bytes = lines.bytes;
         end = lines.end;

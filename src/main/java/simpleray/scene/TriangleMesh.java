@@ -1,5 +1,6 @@
 package simpleray.scene;
 
+import java.nio.file.Path;
 import simpleray.accel.Bvh;
 import simpleray.accel.Pool;
 import simpleray.accel.PrimitiveBounds;
@@ -10,12 +11,19 @@ import simpleray.accel.PrimitiveBounds;
  */
 final class TriangleMesh {
     final Triangles triangles;
+    /** The OBJ; null for none. */
+    final Path path;
     /** The box around all: xmin, ymin, zmin, xmax, ymax, zmax; all 0 without triangles. */
     final double[] box;
     private volatile Tree tree;
 
     TriangleMesh(Triangles triangles) {
+        this(triangles, null);
+    }
+
+    TriangleMesh(Triangles triangles, Path path) {
         this.triangles = triangles;
+        this.path = path;
         box = triangles.count() == 0 ? new double[6] : triangles.bounds();
     }
 

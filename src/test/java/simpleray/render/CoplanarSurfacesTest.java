@@ -45,8 +45,17 @@ class CoplanarSurfacesTest {
     }
 
     private static String overlap(String place) {
-        return "a:3:1: warning: objects 1 (line 2) and 2 (line 3) overlap in one plane, as at " + place
+        return overlap("", "", place);
+    }
+
+    /** {@return what is said of objects of which one or both are meshes, with their polygons} */
+    private static String overlap(String first, String second, String place) {
+        return "a:3:1: warning: objects 1 (line 2" + first + ") and 2 (line 3" + second + ") overlap in one plane, as at " + place
             + ": rounding decides which is seen, so leave a gap or drop one";
+    }
+
+    private String in(String file, String line) {
+        return ", " + folder.resolve(file) + ':' + line;
     }
 
     @ParameterizedTest
@@ -66,7 +75,7 @@ class CoplanarSurfacesTest {
 
         assertThat(warnings).hasSize(1);
         if (!place.equals("*")) {
-            assertThat(warnings).containsExactly(overlap(place));
+            assertThat(warnings).containsExactly(overlap(one.startsWith("4") ? in("square.obj", "5") : "", "", place));
         }
         assertThat(warnings(other, one)).hasSize(1);
         assertThat(overlaps(SceneLint.striking(read(one, other), "a"))).as("the window").isEqualTo(warnings);
@@ -140,12 +149,35 @@ class CoplanarSurfacesTest {
         Files.writeString(folder.resolve("cube.obj"), CUBE);
 
         assertThat(warnings("0 0 0 0 1", "4 \"square.obj\" 0 0 0 1")).containsExactly(
-            "a:3:1: warning: faces of object 2 (line 3) overlap in one plane, as at (0.875 0.375 0)"
+            "a:3:1: warning: faces of object 2 (line 3" + in("square.obj", "5 and " + folder.resolve("square.obj") + ":8")
+            + ") overlap in one plane, as at (0.875 0.375 0)"
             + ": rounding decides which is seen, so leave a gap or drop one");
         assertThat(warnings("4 \"cube.obj\" 0 0 0 1")).isEmpty();
         Files.writeString(folder.resolve("square.obj"), SQUARE + "f 4 3 2 1\n");
         assertThat(overlaps(SceneLint.striking(read("4 \"square.obj\" 0 0 0 1"), "a"))).as("of either winding").singleElement().asString()
-            .startsWith("a:2:1: warning: faces of object 1 (line 2) overlap in one plane");
+            .startsWith("a:2:1: warning: faces of object 1 (line 2" + in("square.obj", "5 and " + folder.resolve("square.obj") + ":6")
+                + ") overlap in one plane");
+    }
+
+    @Test
+    void meshesAreToldWithTheLinesOfTheirPolygons() throws IOException {
+        Files.writeString(folder.resolve("cube.obj"), CUBE);
+        Files.writeString(folder.resolve("square.obj"), "# a\r\nv 0 0 0\rv 1 0 0\nv 1 1 0\nf 1 2 3\\\n 3\n\nv 0 1 0\nf 1 \\\n3 -1\n");
+
+        assertThat(warnings("4 \"square.obj\" 0.2 0.2 1 0.5", "4 \"cube.obj\" 0 0 0 1")).containsExactly(
+            overlap(in("square.obj", "5"), in("cube.obj", "10"), "(0.533333 0.366667 1)"));
+        SceneFile without = read("4 \"square.obj\" 0.2 0.2 1 0.5", "4 \"cube.obj\" 0 0 0 1");
+        Files.writeString(folder.resolve("square.obj"), "v 0 0 0\n");
+        Files.delete(folder.resolve("cube.obj"));
+        assertThat(overlaps(SceneLint.all(without, "a"))).as("files that are gone").containsExactly(overlap("(0.533333 0.366667 1)"));
+    }
+
+    @Test
+    void aPolygonThatCoversItselfIsToldOnce() throws IOException {
+        Files.writeString(folder.resolve("star.obj"), "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 1 -2 0\nv 0 4 0\nf 1 2 3 4 5\n");
+
+        assertThat(warnings("4 \"star.obj\" 0 0 0 1")).singleElement().asString()
+            .startsWith("a:2:1: warning: faces of object 1 (line 2" + in("star.obj", "6") + ") overlap in one plane");
     }
 
     @Test
@@ -175,13 +207,38 @@ class CoplanarSurfacesTest {
         assertThat(overlaps(SceneLint.striking(read(glass), "a"))).hasSize(1);
     }
 
+    /** The underside of a table is seen in a mirror below it, if nothing endless is between. */
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', value = {
+        "2 -9 -1 9 9 -1 9 0 -1 -9 | 1 0 1 0 -2  0 0 0 0 0 0 0.9 0.9 0.9 1 | true",
+        "2 -9 -1 9 9 -1 9 0 -1 -9 | 1 0 1 0 -2  0 0 0 0 0 0 0.9 0.9 0.9 0.9 | false",
+        "2 -9 -1 9 9 -1 9 0 -1 -9 | 1 0 1 0 -2  0 0 0 0 0 0 0.9 0.9 0.9 9 mirror 0 0 0 | false",
+        "2 -9 -1 9 9 -1 9 0 -1 -9 | 0 3 -2 0 0.5  0 0 0 0 0 0 0 0 0 9 mirror 0 0.1 0 | true",
+        "2 -9 -1 9 9 -1 9 0 -1 -9 | 0 3 -2 0 0.5  0 0 0 0 0 0 0 0 0 9 transmit 0 0.1 0 1 | true",
+        "2 -9 -1 9 9 -1 9 0 -1 -9 | 0 3 -0.5 0 0.5  0 0 0 0 0 0 0.9 0.9 0.9 1 | false",
+        "2 -9 -1 9 9 -1 9 0 -1 -9 | 0 3 -0.6 0 0.5  0 0 0 0 0 0 0.9 0.9 0.9 1 | true",
+        "2 -9 -1 -9 9 -1 -9 0 -1 9 | 0 3 -0.6 0 0.5  0 0 0 0 0 0 0.9 0.9 0.9 1 | true",
+        "1 0 1 0 -1 | 0 3 -2 0 0.5  0 0 0 0 0 0 0.9 0.9 0.9 1 | false",
+        "1 0 -1 0 1 | 1 0 1 0 -2  0 0 0 0 0 0 0.9 0.9 0.9 1 | false",
+        "4 \"cube.obj\" -0.5 -2 -0.5 1 | 1 0 1 0 -9  0 0 0 0 0 0 0.9 0.9 0.9 1 | false",
+        "4 \"tile.obj\" -0.5 -1 -0.5 1 | 4 \"tile.obj\" -5 -2 -5 10  0 0 0 0 0 0 0.9 0.9 0.9 1 | true"})
+    void whatOnlyAMirrorShowsIsSeen(String table, String mirror, boolean seen) throws IOException {
+        Files.writeString(folder.resolve("cube.obj"), CUBE);
+        Files.writeString(folder.resolve("tile.obj"), "v 0 0 0\nv 1 0 0\nv 1 0 1\nv 0 0 1\nf 1 2 3 4\n");
+        String[] scene = {table, "3 0 -1 0 0 0 0 0.25", mirror};
+
+        assertThat(warnings(scene)).singleElement().asString().startsWith("a:3:1: warning: objects 1 (line 2")
+            .contains(seen ? ": rounding decides" : ", where opaque bodies hide it");
+        assertThat(overlaps(SceneLint.striking(read(scene), "a"))).hasSize(seen ? 1 : 0);
+    }
+
     @Test
     void whatIsGlassByAnMtlFileIsGlass() throws IOException {
         Files.writeString(folder.resolve("ice.mtl"), "newmtl ice\nd 0.1\n");
         Files.writeString(folder.resolve("ice.obj"), "mtllib ice.mtl\nusemtl ice\n" + CUBE);
         String[] ice = {"1 0 1 0 -1", "4 \"ice.obj\" 2 -1 0 0.5" + MATT + " mtl"};
 
-        assertThat(warnings(ice)).singleElement().asString().contains("objects 1 (line 2) and 2 (line 3)", ": rounding decides");
+        assertThat(warnings(ice)).singleElement().asString().contains("objects 1 (line 2) and 2 (line 3" + in("ice.obj", "13") + ')', ": rounding decides");
         assertThat(overlaps(SceneLint.striking(read(ice), "a"))).hasSize(1);
         assertThat(warnings(ice[0], "4 \"ice.obj\" 2 -0.99999995 0 0.5" + MATT + " mtl")).hasSize(1);
     }
