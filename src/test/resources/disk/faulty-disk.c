@@ -83,6 +83,13 @@ ssize_t pwrite(int fd, const void *bytes, size_t count, off_t at) {
 ssize_t pwrite64(int fd, const void *bytes, size_t count, off64_t at) {
     return refuse_fd("write", fd) ? -1 : NEXT(ssize_t, "pwrite64", int, const void *, size_t, off64_t)(fd, bytes, count, at);
 }
+ssize_t sendfile64(int to, int from, off64_t *at, size_t count) {
+    return refuse_fd("write", to) ? -1 : NEXT(ssize_t, "sendfile64", int, int, off64_t *, size_t)(to, from, at, count);
+}
+ssize_t copy_file_range(int from, off64_t *at, int to, off64_t *place, size_t count, unsigned flags) {
+    return refuse_fd("write", to) ? -1
+        : NEXT(ssize_t, "copy_file_range", int, off64_t *, int, off64_t *, size_t, unsigned)(from, at, to, place, count, flags);
+}
 int close(int fd) {
     const char *slow = getenv("SLOW");
     char link[64], path[4096];

@@ -208,7 +208,10 @@ public final class AtomicFile implements Closeable {
         }
     }
 
-    /** Overwrites the target. It grows first, so that a disk that is too full is noticed while the old file is whole. */
+    /**
+     * Overwrites the target. Its length changes first, so that a disk that is too full or cannot cut a file off is noticed while the old file is
+     * whole.
+     */
     private void overwrite() throws IOException {
         boolean there = Files.exists(target);
         try (FileChannel from = FileChannel.open(part, StandardOpenOption.READ);
@@ -224,9 +227,11 @@ public final class AtomicFile implements Closeable {
                 }
                 throw e;
             }
+            if (old > from.size()) {
+                to.truncate(from.size());
+            }
             try {
                 copy(from, to, 0, Math.min(old, from.size()));
-                to.truncate(from.size());
             } catch (IOException e) {
                 kept = true;
                 throw new IOException(OutputTarget.reason(e) + " (the whole file is " + part + ')', e);

@@ -210,15 +210,30 @@ class FaultyDiskTest {
         assertOnly(out);
     }
 
+    @Test
+    void whatCanNeitherBeReplacedNorCutOffStays() throws IOException, InterruptedException {
+        writeTheOldFile();
+
+        Program.Result result = run("rename=16 truncate=22", "convert @ball.scene " + out);
+
+        assertThat(result.err()).isEqualTo("simpleray: " + out + ": cannot be written: Invalid argument\n");
+        assertThat(result.exitCode()).isEqualTo(ExitCode.WRITE_ERROR);
+        assertThat(out).content().startsWith("the old one").hasSize(41_000);
+        assertOnly(out);
+    }
+
     /** The whole file is worth more than a clean folder. */
     @Test
     void whatIsLostInTheMiddleOfOverwritingIsKeptBesideIt() throws IOException, InterruptedException {
         writeTheOldFile();
 
-        Program.Result result = run("rename=16 truncate=22", "convert @ball.scene " + out);
+        ProcessBuilder program = program("rename=16 write=5", "convert @ball.scene " + out);
+        program.environment().put("DISK_PATH", out.toString());
+
+        Program.Result result = Program.finish(program.start(), new byte[0]);
 
         Path kept = folder.resolve(".simpleray-out.part");
-        assertThat(result.err()).isEqualTo("simpleray: " + out + ": cannot be written: Invalid argument (the whole file is " + kept + ")\n");
+        assertThat(result.err()).isEqualTo("simpleray: " + out + ": cannot be written: Input/output error (the whole file is " + kept + ")\n");
         assertThat(result.exitCode()).isEqualTo(ExitCode.WRITE_ERROR);
         assertThat(kept).hasContent(InProcess.run("convert", made.resolve("ball.scene").toString(), "-").text());
     }

@@ -105,11 +105,30 @@ class AtomicFileFaultsTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"write, a longer old file", "truncate, a longer old file"})
-    void whatIsLostHalfWayStaysInThePart(String operation, String old) throws IOException {
+    @ValueSource(strings = {"ol", "old", "older"})
+    void whatCanNeitherBeReplacedNorCutOffStaysIfItIsLonger(String old) throws IOException {
         Files.writeString(file(), old);
         disk.fault = (what, path) -> {
-            if (what.equals("move") || what.equals(operation) && path.endsWith("out")) {
+            if (what.equals("move") || what.equals("truncate")) {
+                throw new FileSystemException(path.toString(), null, BUSY);
+            }
+        };
+        if (old.equals("older")) {
+            assertThatThrownBy(() -> write("new")).isInstanceOf(FileSystemException.class).hasMessageEndingWith(BUSY);
+            assertThat(notes).isEmpty();
+            assertOnlyTheFile("older");
+        } else {
+            write("new");
+            assertOnlyTheFile("new");
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"a longer old file", "old"})
+    void whatIsLostHalfWayStaysInThePart(String old) throws IOException {
+        Files.writeString(file(), old);
+        disk.fault = (what, path) -> {
+            if (what.equals("move") || what.equals("write") && path.endsWith("out")) {
                 throw new FileSystemException(path.toString(), null, "Input/output error");
             }
         };
