@@ -54,6 +54,7 @@ final class RenderCheckpointer implements RowSink, Closeable {
     private int rows;                                         // in the checkpoint when it was ended
     private int known;
     private boolean done;
+    private boolean full;                                     // no more rows can be written to the checkpoint
 
     /** A row that waits for a checkpoint to be begun; gone if memory gets scarce. */
     private record Early(int y, SoftReference<byte[]> levels) {
@@ -196,7 +197,7 @@ final class RenderCheckpointer implements RowSink, Closeable {
     @Override
     public synchronized void row(int y, byte[] levels, int from) {
         int length = 3 * renderer.picture().width();
-        if (checkpoint != null) {
+        if (checkpoint != null && !full) {
             try {
                 checkpoint.put(y, levels, from);
             } catch (IOException e) {
@@ -211,7 +212,11 @@ final class RenderCheckpointer implements RowSink, Closeable {
     /** The picture is worth more than what would be needed to go on with it: the rendering does not end for this. */
     private synchronized void giveUp(String reason) {
         if (early != null || checkpoint != null) {            // else the rendering has ended meanwhile
-            end();
+            early = null;
+            full = true;                                      // its rows are of use until the picture is whole
+            if (checkpoint != null && checkpoint.count() == 0) {
+                end();
+            }
             notes.say(path + ": rows are not kept any more: " + reason);
         }
     }

@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -45,6 +46,21 @@ class FullDiskTest {
         assertThat(result.text()).as(result.err()).isEqualTo("74\n" + out + "\nthe old one");
         assertThat(result.err()).endsWith("simpleray: disk/" + out + ": cannot be written: "
             + (mounted ? "No space left on device" : "File too large") + "\n").doesNotContain("\tat ");
+    }
+
+    /** The picture has no room beside them; another rendering goes on with the rows that it kept. */
+    @Test
+    void rowsForWhichThereIsNoRoomAreGoneWhenThePictureIsWhole() throws IOException, InterruptedException {
+        Files.writeString(folder.resolve("rough.scene"), SmallScenes.ROUGH);
+        Files.createDirectory(folder.resolve("disk"));
+        assumeTrue(Files.isExecutable(Path.of("/bin/sh")) && shell(MOUNTED + "true").exitCode() == 0, "nothing can be mounted");
+        String rows = "simpleray: disk/rows: rows are not kept any more: No space left on device\n";
+
+        Program.Result result = shell(MOUNTED + "{ \"$@\" -o disk/out; echo $?; ls -A disk; \"$@\" --resume -o out; echo $?; ls -A disk; }",
+            "render rough.scene --size 200x200 --checkpoint disk/rows".split(" "));
+
+        assertThat(result.text()).as(result.err()).isEqualTo("74\nrows\n0\n");
+        assertThat(result.err()).contains(rows).containsPattern("going on with \\d+ of 200 rows").doesNotContain("\tat ");
     }
 
     private void render(String out, String background) throws IOException, InterruptedException {
