@@ -5,6 +5,8 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.FileSystem;
+import java.nio.file.FileSystems;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.FileTime;
@@ -89,6 +91,47 @@ class LauncherTest {
             "Java does not start: Unrecognized VM option 'Nonsense'");
     }
 
+    /** Options for which Java is not tried first, since they write files or wait for someone. */
+    @ParameterizedTest
+    @ValueSource(strings = {"-XX:+ArchiveClassesAtExit", "-Xshare:on -XX:SharedArchiveFile=/none", "-XX:AOTMode=nonsense",
+        "-XX:StartFlightRecording=filename=/none/x", "-agentlib:jdwp=nonsense"})
+    void aJvmThatDoesNotStartByAnOptionThatDoesSomethingIs70(String option) throws IOException, InterruptedException {
+        for (String variable : Sample.of(List.of("SIMPLERAY_OPTS", "JAVA_TOOL_OPTIONS", "JDK_JAVA_OPTIONS"), 1)) {
+            Program.Result result = run(Map.of(variable, option), "verify", "nothing.png");
+
+            assertThat(result.err()).endsWith("simpleray: Java does not start, or could not do what its options ask for: its reason stands above\n");
+            assertThat(result.exitCode()).isEqualTo(INTERNAL);
+        }
+        assertThat(checkout.root.resolve("build/cds")).doesNotExist();
+    }
+
+    /** The program's own 1 stays 1 with them. */
+    @ParameterizedTest
+    @ValueSource(strings = {"-Xshare:auto -XX:SharedArchiveFile=/none", "-Xshare:auto"})
+    void picturesThatDifferAre1(String options) throws IOException, InterruptedException {
+        for (String depth : List.of("0", "1")) {
+            assertThat(Program.run(folder, "render", SCENE, "-o", depth + ".png", "--size", "20x15", "--depth", depth, "-q").exitCode()).isZero();
+        }
+        assertThat(checkout.run(options, "compare", folder.resolve("0.png").toString(), folder.resolve("1.png").toString()).exitCode()).isEqualTo(1);
+        assertThat(checkout.run(options, "compare", folder.resolve("0.png").toString(), folder.resolve("0.png").toString()).exitCode()).isZero();
+        assertThat(checkout.run(options, "verify", folder.resolve("0.png") + "x").exitCode()).isEqualTo(66);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"", "/none"})
+    void aPathWithoutProgramsIsInNobodysWay(String path) throws IOException, InterruptedException {
+        Path link = Files.createSymbolicLink(folder.resolve("link"), checkout.root.resolve("simpleray"));
+        for (int i = 0; i < 2; i++) {                         // without an archive, and with one
+            ProcessBuilder version = new ProcessBuilder("/bin/sh", link.toString(), "--version");
+            version.environment().put("PATH", path);
+            Program.Result result = Program.finish(version.start(), new byte[0]);
+
+            assertThat(result.err()).isEmpty();
+            assertThat(result.text()).startsWith("SimpleRay ");
+        }
+        assertThat(checkout.root.resolve("build/cds")).isNotEmptyDirectory();
+    }
+
     @Test
     void aWorkingFolderThatIsGoneIsNamed() throws IOException, InterruptedException {
         Program.Result result = Program.finish(new ProcessBuilder("/bin/sh", "-c", "mkdir gone; cd gone; rmdir ../gone; exec \"$0\" --version",
@@ -117,6 +160,23 @@ class LauncherTest {
 
         assertThat(result.err()).startsWith("simpleray: Java does not start: ").hasLineCount(1);
         assertThat(result.exitCode()).isEqualTo(INTERNAL);
+    }
+
+    /** A class within it is damaged: Java finds that out when the program needs it. */
+    @Test
+    void aJarThatIsDamagedInTheMiddleIs70() throws IOException, InterruptedException {
+        try (FileSystem jar = FileSystems.newFileSystem(checkout.jar)) {
+            Files.write(jar.getPath("simpleray/scene/MeshFiles.class"), new byte[100]);
+            Files.delete(jar.getPath("simpleray/image/Similarity.class"));
+        }
+        Program.Result damaged = checkout.run(NO_ARCHIVE, "check", SCENE);
+        Program.Result missing = checkout.run(NO_ARCHIVE, "compare", Project.resources("golden") + "/thesis.png",
+            Project.resources("golden") + "/thesis.png");
+
+        for (Program.Result result : List.of(damaged, missing)) {
+            assertThat(result.err()).startsWith("simpleray: a part of the program is missing or damaged, so install or build it again: ").hasLineCount(1);
+            assertThat(result.exitCode()).isEqualTo(INTERNAL);
+        }
     }
 
     @ParameterizedTest

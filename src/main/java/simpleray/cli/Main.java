@@ -45,7 +45,8 @@ public final class Main implements Runnable {
      */
     public static void main(String[] args) {
         Sha256.preload();
-        System.exit(run(args, System.in, new FileOutputStream(FileDescriptor.out), System.err));
+        int code = run(args, System.in, new FileOutputStream(FileDescriptor.out), System.err);
+        System.exit(code == ExitCode.DIFFERENT ? Integer.getInteger("simpleray.different", code) : code);   // the script tells it from Java's 1
     }
 
     /**
@@ -105,6 +106,10 @@ public final class Main implements Runnable {
         if (e instanceof LinkageError && !WindowSupport.hasModule()) {
             err.println("simpleray: this Java lacks the module java.desktop, which is needed here: " + WindowSupport.INSTALL);
             return ExitCode.NO_DISPLAY;
+        }
+        if (e instanceof NoClassDefFoundError && e.getCause() instanceof ClassNotFoundException || e instanceof ClassFormatError) {
+            err.println("simpleray: a part of the program is missing or damaged, so install or build it again: " + e.getMessage());
+            return ExitCode.INTERNAL;
         }
         err.println("simpleray: internal error, which should not happen whatever the input: " + e);
         e.printStackTrace(err);
