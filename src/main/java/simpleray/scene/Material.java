@@ -13,10 +13,9 @@ import simpleray.text.SceneWriter;
 public final class Material {
     private static final String MIRROR = "mirror";
     private static final Set<String> KEYWORDS = Set.of(MIRROR, "transmit");
-    private static final Set<String> ONLY_MIRROR = Set.of(MIRROR);
     private static final String MTL = "mtl";
+    private static final Set<String> ONLY_MTL = Set.of(MTL);
     private static final Set<String> MESH_KEYWORDS = Set.of(MIRROR, "transmit", MTL);
-    private static final Set<String> MESH_MIRROR = Set.of(MIRROR, MTL);
 
     /** The share of the scene's ambient light that the surface reflects, Ka. */
     public Colour ambient = new Colour(1, 1, 1);
@@ -98,16 +97,20 @@ public final class Material {
      * @throws IOException if one is missing or below 0
      */
     public void read(SceneReader is) throws IOException {
-        read(is, KEYWORDS, ONLY_MIRROR);
+        read(is, KEYWORDS);
     }
 
     /** Reads the material of a mesh. {@return whether the word {@code mtl} comes after it} */
     boolean readOfMesh(SceneReader is) throws IOException {
-        return MTL.equals(read(is, MESH_KEYWORDS, MESH_MIRROR));
+        boolean mtl = read(is, MESH_KEYWORDS) != null;
+        while (mtl && is.takeKeyword(ONLY_MTL) != null) {
+            onlyOnce(is, MTL);
+        }
+        return mtl;
     }
 
     /** Reads a material. {@return the keyword after it, which is none of a material; null if there is none} */
-    private String read(SceneReader is, Set<String> keywords, Set<String> onlyMirror) throws IOException {
+    private String read(SceneReader is, Set<String> keywords) throws IOException {
         readColour(is, "ambient", ambient);
         readColour(is, "diffuse", diffuse);
         readColour(is, "specular", specular);
@@ -120,9 +123,9 @@ public final class Material {
         index = 1;
         boolean transmits = false;
         String word = is.takeKeyword(keywords);
-        for (; word != null && !word.equals(MTL); word = is.takeKeyword(transmits && mirror == null ? onlyMirror : keywords)) {
+        for (; word != null && !word.equals(MTL); word = is.takeKeyword(keywords)) {
             if (word.equals(MIRROR) ? mirror != null : transmits) {
-                is.reject("keyword " + word + " only once");
+                onlyOnce(is, word);
             }
             if (word.equals(MIRROR)) {
                 mirror = new Colour();
@@ -133,6 +136,10 @@ public final class Material {
             }
         }
         return word;
+    }
+
+    private static void onlyOnce(SceneReader is, String keyword) throws IOException {
+        is.reject("keyword " + keyword + " only once");
     }
 
     private void readTransmission(SceneReader is) throws IOException {

@@ -104,6 +104,7 @@ class MaterialMirrorTextTest {
         "mirror 0 0 NaN | 12 | mirrored blue, found 'NaN' (numbers must be finite)",
         "mirror 0 0 0 mirror 1 1 1 | 14 | keyword mirror only once, found 'mirror'",
         "mirror 0 0 0 transmit 1 1 1 1 mirror 1 1 1 | 31 | keyword mirror only once, found 'mirror'",
+        "transmit 0 0 0 1 transmit 1 1 1 1 | 18 | keyword transmit only once, found 'transmit'",
         "transmit 1 1 1 1 mirror 0 0 0 transmit 1 1 1 1 | 31 | keyword transmit only once, found 'transmit'"})
     void whatIsWrongWithItIsNamed(String line, int column, String expected) {
         assertWrong(SHINY, line, column, expected);
@@ -113,6 +114,12 @@ class MaterialMirrorTextTest {
     void twiceIsOnceTooManyOnALineOfItsOwnToo() {
         assertThatThrownBy(() -> new Scene().read(reader("1\n0 0 0 0 1 " + SHINY + " mirror 1 1 1\nmirror 1 1 1\n0 0 0\n0\n")))
             .hasMessageStartingWith("<stdin>:3:1: error: expected object 1's keyword mirror only once, found 'mirror'");
+    }
+
+    @Test
+    void soIsASecondTransmit() {
+        assertThatThrownBy(() -> new Scene().read(reader("1\n0 0 0 0 1 " + SHINY + " transmit 1 1 1 1\n transmit 1 1 1 1\n0 0 0\n0\n")))
+            .hasMessageStartingWith("<stdin>:3:2: error: expected object 1's keyword transmit only once, found 'transmit'").hasMessageEndingWith("^");
     }
 
     @ParameterizedTest
