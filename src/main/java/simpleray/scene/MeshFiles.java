@@ -35,6 +35,7 @@ final class MeshFiles {
     private final Reach reach;
     private final Map<Path, TriangleMesh> meshes = new HashMap<>();     // by absolute path
     private final Map<Path, List<MtlMaterial>> libraries = new HashMap<>();
+    private final Map<Path, SceneFormatException> unreadable = new HashMap<>();     // of libraries that are no text
     private final Map<TriangleMesh, MtlMaterial[]> materials = new HashMap<>();
     private final Set<SceneFormatException> reported = new HashSet<>();
 
@@ -74,16 +75,18 @@ final class MeshFiles {
                 return known;
             }
             List<Diagnostic> problems = new ArrayList<>();
+            List<Diagnostic> error = List.of();
             try {
                 mesh = new TriangleMesh(ObjReader.read(path, problems::add,
                     digest -> read.add(new SourceText.MeshFile(name, digest))), path);
             } catch (SceneFormatException e) {
-                problems.addAll(e.problems());
+                error = e.problems();
             }
             meshes.put(key, mesh);                          // with errors too: they are reported once
             for (Diagnostic problem : problems) {
                 is.report(problem);
             }
+            is.report(error);
         } catch (OutOfReachException e) {
             is.reject("OBJ file within the scene's folder (--allow-outside allows any)");
         } catch (FileSystemException e) {
@@ -165,10 +168,11 @@ final class MeshFiles {
     private MtlMaterial[] find(SceneReader is, String obj, TriangleMesh mesh, List<Diagnostic> problems) throws IOException {
         MaterialRuns runs = mesh.triangles.materials();
         Map<String, MtlMaterial> known = new LinkedHashMap<>();
+        List<SceneFormatException> broken = new ArrayList<>();
         MtlReader.Skipped skipped = new MtlReader.Skipped();
         for (MaterialRuns.Name line : runs.libraries) {
             for (String file : MtlNames.split(line.text(), name -> isThere(is, MtlNames.besideObj(obj, name)))) {
-                library(is, obj, file, line.place(), skipped, problems).forEach(material -> known.putIfAbsent(material.name, material));
+                library(is, obj, file, line.place(), skipped, problems, broken).forEach(material -> known.putIfAbsent(material.name, material));
             }
         }
         if (runs.libraries.isEmpty() && mesh.triangles.count() > 0) {
@@ -190,6 +194,13 @@ final class MeshFiles {
                 }
             }
         }
+        for (SceneFormatException e : broken) {               // what is missing may be in them
+            if (missing.isEmpty()) {
+                problems.add(needless(e.problems().get(0), ""));
+            } else if (reported.add(e)) {
+                problems.addAll(0, e.problems());
+            }
+        }
         if (!missing.isEmpty()) {
             String others = missing.size() == 1 ? "" : " and " + (missing.size() - 1) + (missing.size() == 2 ? " other" : " others");
             problems.add(warning(missing.get(0).place(), "a material of the MTL files", Diagnostic.quoted(missing.get(0).text()) + others
@@ -198,17 +209,19 @@ final class MeshFiles {
         known.values().removeIf(material -> !material.isUsable() && Arrays.asList(found).contains(material));   // errors
         List<Diagnostic> needless = known.values().stream().flatMap(material -> material.problems().stream()).toList();
         if (!needless.isEmpty()) {
-            Diagnostic first = needless.get(0);
-            String more = needless.size() == 1 ? "" : " (and " + (needless.size() - 1) + " more)";
-            problems.add(new Diagnostic(first.file(), first.line(), first.column(), false,
-                first.message() + ", which the picture does not need" + more, first.source()));
+            problems.add(needless(needless.get(0), needless.size() == 1 ? "" : " (and " + (needless.size() - 1) + " more)"));
         }
         return found;
     }
 
+    private static Diagnostic needless(Diagnostic error, String more) {
+        return new Diagnostic(error.file(), error.line(), error.column(), false, error.message() + ", which the picture does not need" + more,
+            error.source());
+    }
+
     /** {@return the materials of an MTL file; none if it cannot be read, of which a warning tells} */
     private List<MtlMaterial> library(SceneReader is, String obj, String file, Diagnostic place, MtlReader.Skipped skipped,
-            List<Diagnostic> problems) throws IOException {
+            List<Diagnostic> problems, List<SceneFormatException> broken) throws IOException {
         String name = MtlNames.besideObj(obj, file);
         String why;
         try {
@@ -220,10 +233,13 @@ final class MeshFiles {
                     library = MtlReader.read(in, path.toString(), skipped);
                     read.add(new SourceText.MeshFile(name, Sha256.hex(in.getMessageDigest().digest())));
                 } catch (SceneFormatException e) {
-                    problems.addAll(e.problems());
+                    unreadable.put(key, e);
                     library = List.of();
                 }
                 libraries.put(key, library);
+            }
+            if (unreadable.containsKey(key)) {
+                broken.add(unreadable.get(key));
             }
             return library;
         } catch (OutOfReachException e) {

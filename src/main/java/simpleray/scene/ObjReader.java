@@ -5,8 +5,10 @@ import java.io.InputStream;
 import java.nio.file.FileSystemException;
 import java.nio.file.Path;
 import java.security.DigestInputStream;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
@@ -102,7 +104,7 @@ final class ObjReader {
      * @param warnings gets each warning
      * @param digest gets the file's SHA-256
      * @return its triangles, at least one
-     * @throws SceneFormatException if it is no OBJ with polygons
+     * @throws SceneFormatException if it is no OBJ with polygons; a warning of joined lines, which may be the cause, comes first
      * @throws FileSystemException if it cannot be opened, with a readable reason
      * @throws IOException if it cannot be read
      */
@@ -117,13 +119,20 @@ final class ObjReader {
     /** Reads the text of an OBJ; messages call it by this name. */
     static Triangles read(InputStream in, String name, Consumer<Diagnostic> warnings) throws IOException {
         ObjReader reader = new ObjReader(new LineReader(in, name));
-        while (reader.lines.read()) {
-            reader.readLine();
-            if (reader.lines.isContinued()) {
-                reader.joined.addJoined(reader.lines, KEYWORDS);
+        try {
+            while (reader.lines.read()) {
+                if (reader.lines.isContinued()) {
+                    reader.joined.addJoined(reader.lines, KEYWORDS);
+                }
+                reader.readLine();
             }
+            return reader.triangles(warnings);
+        } catch (SceneFormatException e) {
+            List<Diagnostic> problems = new ArrayList<>();
+            reader.joined.warn(problems::add);                // perhaps its cause
+            problems.addAll(e.problems());
+            throw new SceneFormatException(problems, false);
         }
-        return reader.triangles(warnings);
     }
 
     /**

@@ -59,8 +59,19 @@ final class Diagnostics {
             return;
         }
         errors.add(problem);
-        if (errors.size() >= maxErrors) {
+        if (errors.stream().filter(Diagnostic::error).count() >= maxErrors) {
             throw new SceneFormatException(errors, maxErrors > 1);
+        }
+    }
+
+    /** Notes an error in another file, and the warnings that are told with it; throws if there are too many errors. */
+    void report(List<Diagnostic> error) throws SceneFormatException {
+        for (Diagnostic problem : error) {
+            if (problem.error()) {
+                report(problem);
+            } else {
+                errors.add(problem);
+            }
         }
     }
 

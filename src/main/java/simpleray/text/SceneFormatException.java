@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.util.List;
 import java.util.stream.Collectors;
 
-/** A scene file is not in the format: one error or more, each with its location. */
+/** A scene file is not in the format: one error or more, each with its location, and perhaps warnings that tell of their cause. */
 public final class SceneFormatException extends IOException {
     private static final long serialVersionUID = 1L;
 
@@ -19,7 +19,7 @@ public final class SceneFormatException extends IOException {
      */
     public SceneFormatException(List<Diagnostic> problems, boolean stopped) {
         super(problems.stream().map(Diagnostic::toString).collect(Collectors.joining("\n"))
-            + (stopped ? "\n" + problems.size() + " errors: reading stopped here" : ""));
+            + (stopped ? "\n" + problems.stream().filter(Diagnostic::error).count() + " errors: reading stopped here" : ""));
         this.problems = List.copyOf(problems);
     }
 

@@ -293,6 +293,16 @@ public final class SceneReader implements Closeable {
     }
 
     /**
+     * Notes an error in another file that the scene names.
+     *
+     * @param error the error, after warnings that are told with it
+     * @throws SceneFormatException if that is one error too many
+     */
+    public void report(List<Diagnostic> error) throws SceneFormatException {
+        diagnostics.report(error);
+    }
+
+    /**
      * Notes that the values read since {@link #group} make no sense together. The error is located at the first of them.
      *
      * @param wanted what was expected instead

@@ -317,6 +317,49 @@ class MeshMaterialsTest {
         assertThatThrownBy(() -> read(obj("mtllib a.mtl\nusemtl red"))).hasMessageStartingWith(folder.resolve("a.mtl") + ":1:1: error: expected a line of at most");
     }
 
+    /** It is needed if a polygon's material is in no other file: it may be in this one. */
+    @Test
+    void aFileThatIsNoTextIsAWarningIfNothingOfItIsNeeded() throws IOException {
+        mtl("b.mtl", "\0\0\0\0");
+        String warning = "b.mtl:1:1: warning: expected text in UTF-8, found NUL bytes, which the picture does not need";
+
+        for (String lines : List.of("mtllib b.mtl\nmtllib a.mtl\nusemtl red", "mtllib a.mtl b.mtl\nusemtl red", "mtllib b.mtl", "mtllib b.mtl\nusemtl")) {
+            read(obj(lines));
+            assertWarnings(warning);
+        }
+        assertThatThrownBy(() -> read(obj("mtllib a.mtl b.mtl\nusemtl red", "usemtl blue"))).isInstanceOf(SceneFormatException.class)
+            .hasMessageStartingWith(folder.resolve("b.mtl") + ":1:1: error: expected text in UTF-8, found NUL bytes");
+    }
+
+    @Test
+    void eachMeshSaysWhetherItNeedsAFileThatIsNoText() throws IOException {
+        mtl("b.mtl", "\0\0\0\0");
+        Files.writeString(folder.resolve("a.obj"), obj("mtllib b.mtl"));
+        Files.writeString(folder.resolve("b.obj"), obj("mtllib b.mtl\nusemtl red"));
+        Files.writeString(folder.resolve("c.obj"), obj("mtllib b.mtl\nusemtl blue"));
+        Path scene = folder.resolve("a.scene");
+        Files.writeString(scene, "3\n4 \"a.obj\" 0 0 0 1  " + OWN + " mtl\n4 \"b.obj\" 0 0 0 1  " + OWN + " mtl\n4 \"c.obj\" 0 0 0 1  " + OWN
+            + " mtl\n1 1 1\n0\n");
+
+        assertThatThrownBy(() -> SceneFile.read(scene)).isInstanceOfSatisfying(SceneFormatException.class,
+            e -> assertThat(e.problems()).filteredOn(Diagnostic::error).singleElement().asString().startsWith(folder.resolve("b.mtl") + ":1:1: error: "));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"mtl mtl, 3:5", "mtl /  mtl, 4:3", "mtl/mtl mtl, 4:1", "mirror 0 0 0 mtl mtl, 3:18"})
+    void theWordStandsOnlyOnce(String words, String place) {
+        assertThatThrownBy(() -> read(obj("mtllib a.mtl"), OWN + "\n" + words.replace('/', '\n'))).isInstanceOf(SceneFormatException.class)
+            .hasMessageStartingWith(folder.resolve("a.scene") + ":" + place + ": error: expected object 1's keyword mtl only once, found 'mtl'");
+    }
+
+    @Test
+    void aJoinedLineIsToldWithAnErrorInTheObj() {
+        assertThatThrownBy(() -> read(obj("usemtl red\\", "f 1 2 x"))).isInstanceOfSatisfying(SceneFormatException.class, e -> {
+            assertThat(e.problems()).extracting(Diagnostic::error).containsExactly(false, true);
+            assertThat(e).hasMessageStartingWith(folder.resolve("a.obj") + ":6:1: warning: expected a line of its own for each keyword");
+        });
+    }
+
     @Test
     void anErrorInTheObjIsToldAlone() {
         assertThatThrownBy(() -> read("v 0 0 0\nf 1 2 3\n")).isInstanceOf(SceneFormatException.class)

@@ -258,6 +258,21 @@ class ObjReaderTest {
         assertWarning(7, "a line of its own for each keyword, found 2 lines that the backslash before them joins to others");
     }
 
+    /** The line that is joined may be what the error is about. */
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', value = {"usemtl wood\\/f 1 2 3/f 1 2 x|4|6:7: error: expected polygon 1's vertex index, found 'x'",
+        "v 1 1 1 \\/f 1 2 3|4|5:8: error: expected a polygon that has an area, found the end of the file",
+        "f 1 2 3 \\/vn 1 1 x|4|5:1: error: expected polygon 1's vertex index, found 'vn'"})
+    void itIsWarnedOfBesideAnErrorToo(String lines, int joined, String error) throws IOException {
+        Files.writeString(folder.resolve("a.obj"), THREE + lines.replace('/', '\n'));
+
+        assertThatThrownBy(() -> ObjReader.read(folder.resolve("a.obj"), warnings::add)).isInstanceOfSatisfying(SceneFormatException.class,
+            e -> assertThat(e.problems()).extracting(problem -> problem.headline().replace(folder + "/a.obj:", "")).containsExactly(
+                joined + 1 + ":1: warning: expected a line of its own for each keyword, found 1 line that the backslash before it joins to another",
+                error));
+        assertThat(warnings).isEmpty();
+    }
+
     @Test
     void utf16IsNamed() throws IOException {
         for (Charset charset : List.of(StandardCharsets.UTF_16, StandardCharsets.UTF_16LE, StandardCharsets.UTF_16BE)) {
