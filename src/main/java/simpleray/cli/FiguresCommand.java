@@ -21,6 +21,7 @@ import simpleray.render.Progress;
 import simpleray.render.Provenance;
 import simpleray.render.RenderRequest;
 import simpleray.render.Stage;
+import simpleray.scene.Object;
 import simpleray.scene.Scene;
 import simpleray.scene.SceneFile;
 import simpleray.text.NumberParser;
@@ -121,7 +122,10 @@ final class FiguresCommand implements Callable<Integer> {
         List<Picture> pictures = new ArrayList<>();
         for (String value : sweep.values()) {
             for (int i = 0; i < read.getNumberObjects(); i++) {
-                read.getObject(i).surfaceMaterial.shininess = NumberParser.parseDouble(value);
+                Object object = read.getObject(i);
+                for (int part = 0; part < object.parts(); part++) {   // a mesh may have many materials
+                    object.material(part).shininess = NumberParser.parseDouble(value);
+                }
             }
             pictures.addAll(render(Stage.LIGHTING));
         }

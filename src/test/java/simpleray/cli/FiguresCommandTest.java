@@ -94,6 +94,24 @@ class FiguresCommandTest {
     }
 
     @Test
+    void aSweepReachesTheMaterialsOfMtlFiles() throws IOException {
+        Files.writeString(folder.resolve("a.mtl"), "newmtl red\nKs 1 1 1\nNs 2\n");
+        Files.writeString(folder.resolve("a.obj"), "mtllib a.mtl\nv -1 -1 0\nv 1 -1 0\nv 1 1 0\nf 1 2 3\nusemtl red\nv -1 1 0\nf 1 3 4\n");
+        String text = "1\n4 \"a.obj\" 0 0 0 1  0 0 0 0.5 0.5 0.5 1 1 1 %s mtl\n1 1 1\n1\n0 1 1 1 0 0 2\n";
+        scene = Files.writeString(folder.resolve("ball.scene"), String.format(text, 3));
+        assertThat(figures("--size", "20x10", "-q", "--sweep", "shininess=5,50")).isZero();
+
+        List<Picture> pictures = new ArrayList<>();
+        for (String shininess : List.of("5", "50")) {
+            Files.writeString(folder.resolve("a.mtl"), "newmtl red\nKs 1 1 1\nNs " + shininess + "\n");
+            pictures.add(render(SceneFile.read(Files.writeString(folder.resolve("other.scene"), String.format(text, shininess))).scene(),
+                Stage.LIGHTING));
+        }
+        assertThat(pictures.get(0)).isNotEqualTo(pictures.get(1));
+        assertShows("ball-shininess.png", sheet(List.of("shininess 5", "shininess 50"), pictures));
+    }
+
+    @Test
     void theOtherSheetsAreOfTheSceneAsItIs() throws IOException {
         assertThat(figures("--size", "20x10", "-q")).isZero();
         byte[] stages = Files.readAllBytes(sheets.resolve("ball-stages.png"));
