@@ -1,7 +1,6 @@
 package simpleray.cli;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.concurrent.Callable;
@@ -14,6 +13,7 @@ import simpleray.image.png.HeatMap;
 import simpleray.image.png.PictureFormatException;
 import simpleray.image.png.PngReader;
 import simpleray.io.AtomicFile;
+import simpleray.io.InputFile;
 
 /** Measures how two pictures differ. */
 @Command(mixinStandardHelpOptions = true, sortOptions = false,
@@ -68,9 +68,9 @@ final class CompareCommand implements Callable<Integer> {
         if (name.equals(SceneArgument.STREAM)) {
             return PngReader.open(main.in(), "<stdin>");
         }
-        Path path = Path.of(name);
-        if (Files.isDirectory(path) || !Files.exists(path)) {
-            throw new PictureFormatException(name, Files.exists(path) ? "is a folder" : "no such file");
+        String refusal = InputFile.refusal(Path.of(name));
+        if (refusal != null) {
+            throw new PictureFormatException(name, refusal);
         }
         return PngReader.open(name);
     }

@@ -19,6 +19,7 @@ import simpleray.image.png.PngChunks;
 import simpleray.image.png.PngReader;
 import simpleray.image.png.RowsCheck.Pixel;
 import simpleray.image.png.RowsCheck;
+import simpleray.io.InputFile;
 import simpleray.render.Progress;
 import simpleray.render.Provenance;
 import simpleray.render.RenderRequest;
@@ -84,8 +85,9 @@ final class VerifyCommand implements Callable<Integer> {
             return PictureScene.read(new ByteArrayInputStream(piped), SceneArgument.told(picture));
         }
         Path path = Path.of(picture);
-        if (Files.isDirectory(path) || !Files.exists(path)) {
-            throw new CommandException(ExitCode.NO_SCENE, "simpleray: " + picture + (Files.exists(path) ? ": is a folder" : ": no such file"));
+        String refusal = InputFile.refusal(path);
+        if (refusal != null) {
+            throw new CommandException(ExitCode.NO_SCENE, "simpleray: " + picture + ": " + refusal);
         }
         if (Files.isRegularFile(path)) {
             return PictureScene.read(path);

@@ -15,6 +15,7 @@ import java.util.List;
 import simpleray.image.PictureText;
 import simpleray.image.png.PngChunks;
 import simpleray.io.HashingInputStream;
+import simpleray.io.InputFile;
 import simpleray.io.MagicNumber;
 import simpleray.text.Diagnostic;
 import simpleray.text.SceneFormatException;
@@ -72,8 +73,8 @@ public record SceneFile(Scene scene, List<Diagnostic> warnings, SourceText text)
         try (InputStream in = new FileInputStream(path.toFile())) {
             return read(in, longestKept(path), path.toString(), path.resolveSibling(""), reach);
         } catch (FileNotFoundException e) {
-            String reason = Files.exists(path) ? "may not be read" : "no such file";
-            throw (IOException) new FileSystemException(path.toString(), null, reason).initCause(e);
+            String reason = InputFile.refusal(path);
+            throw (IOException) new FileSystemException(path.toString(), null, reason == null ? "may not be read" : reason).initCause(e);
         }
     }
 

@@ -7,11 +7,14 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import simpleray.Project;
 
 /** Folders in which not everything can be done: a container's, another user's. */
@@ -33,7 +36,11 @@ class ForeignFolderTest {
     }
 
     private Program.Result convert(List<String> before) throws IOException, InterruptedException {
-        ProcessBuilder program = Program.program(folder, List.of(), "convert", "grey.scene", "disk/out");
+        return run(before, "convert", "grey.scene", "disk/out");
+    }
+
+    private Program.Result run(List<String> before, String... line) throws IOException, InterruptedException {
+        ProcessBuilder program = Program.program(folder, List.of(), line);
         program.command().addAll(0, before);
         return Program.finish(program.start(), new byte[0]);
     }
@@ -54,11 +61,15 @@ class ForeignFolderTest {
 
     /** As who has no rights here: only root can be somebody else. */
     private Program.Result asNobody() throws IOException, InterruptedException {
+        return asNobody("convert", "grey.scene", "disk/out");
+    }
+
+    private Program.Result asNobody(String... line) throws IOException, InterruptedException {
         List<String> nobody = List.of("setpriv", "--reuid", NOBODY, "--regid", NOBODY, "--clear-groups");
         Files.setPosixFilePermissions(folder, PosixFilePermissions.fromString("rwxr-xr-x"));
         Program.Result tried = tryOut(Stream.concat(nobody.stream(), Stream.of("test", "-r", Project.jar().toString())).toList());
         assumeTrue(tried != null && tried.exitCode() == 0, "not root, or nobody else may read the program");
-        return convert(nobody);
+        return run(nobody, line);
     }
 
     private void assertOnlyOut() throws IOException {
@@ -140,6 +151,20 @@ class ForeignFolderTest {
         assertThat(result.err()).isEqualTo("simpleray: disk/out: cannot be created: its folder may not be entered\n");
         assertThat(result.exitCode()).isEqualTo(ExitCode.NO_OUTPUT);
         assertThat(disk.resolve("out")).hasContent("the old one");
+    }
+
+    @ParameterizedTest
+    @CsvSource({"check, 66", "print, 66", "verify, 66", "compare, 2"})
+    void whatIsToBeReadThereIsNotSaidToBeMissing(String command, int code) throws IOException, InterruptedException {
+        Files.setPosixFilePermissions(disk, PosixFilePermissions.fromString("rw-rw-rw-"));
+        List<String> line = new ArrayList<>(List.of(command, "disk/out"));
+        if (command.equals("compare")) {
+            line.add("disk/out");
+        }
+        Program.Result result = asNobody(line.toArray(new String[0]));
+
+        assertThat(result.err()).isEqualTo("simpleray: disk/out: may not be read\n");
+        assertThat(result.exitCode()).isEqualTo(code);
     }
 
     @Test

@@ -61,7 +61,7 @@ class TrickyDisk extends FileSystemProvider {
     final Deque<Event> locking = new ArrayDeque<>();
     /** What happens before a file is opened to be written. */
     Event writing = file -> { };
-    /** What happens when it is asked whether a file may be written. */
+    /** What happens when it is asked whether a file may be written or read. */
     Event asking = file -> { };
     /** Whether everything is a device. */
     boolean devices;
@@ -129,7 +129,7 @@ class TrickyDisk extends FileSystemProvider {
 
     @Override
     public void checkAccess(Path path, AccessMode... modes) throws IOException {
-        if (Arrays.asList(modes).contains(AccessMode.WRITE)) {
+        if (modes.length > 0) {
             asking.at(real(path));
         }
         provider(path).checkAccess(real(path), modes);
