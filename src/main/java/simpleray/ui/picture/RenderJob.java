@@ -32,6 +32,7 @@ public final class RenderJob {
     private final SceneSource source;
     private final RenderRequest request;
     private RenderJob before;                                 // whose scene is rendered again; null if it is to be read
+    private boolean checked;                                  // whether the scene was looked through for mistakes; for the working thread
     private final SceneReport known;                          // to be shown in place of the findings about that scene; none for these
     private final Region region;                              // what is asked to come first; null for nothing
     private final boolean alone;
@@ -269,14 +270,16 @@ public final class RenderJob {
     }
 
     private void work() {
-        boolean first = before == null;
         try {
             LoadedScene loaded = load();
             render(loaded);
             double took = snapshot().seconds();
             String failure = runs.failedRows().text();
-            SceneReport findings = first && failure.isEmpty() && !cancelled
-                ? SceneReport.ofWhole(loaded.file.with(snapshot().run.settings), source.name()) : snapshot().findings;
+            SceneReport findings = snapshot().findings;
+            if (!checked && failure.isEmpty() && !cancelled) {
+                findings = SceneReport.ofWhole(loaded.file.with(snapshot().run.settings), source.name());
+                checked = true;
+            }
             end(failure.isEmpty() ? State.FINISHED : State.FAILED, findings, failure, took);
         } catch (CancellationException e) {
             end(State.CANCELLED, snapshot().findings, "", snapshot().seconds());
@@ -309,6 +312,7 @@ public final class RenderJob {
             throw new CancellationException("interrupted");
         }
         Snapshot end = last.snapshot();
+        checked = last.checked || !known.isEmpty();
         latest.set(new Snapshot(State.RENDERING, end.loaded, null, known.isEmpty() ? end.findings : known, "", 0));
         return end.loaded;
     }
