@@ -46,7 +46,10 @@ public final class Main implements Runnable {
     public static void main(String[] args) {
         Sha256.preload();
         int code = run(args, System.in, new FileOutputStream(FileDescriptor.out), System.err);
-        System.exit(code == ExitCode.DIFFERENT ? Integer.getInteger("simpleray.different", code) : code);   // the script tells it from Java's 1
+        if (code == ExitCode.DIFFERENT) {                     // which the script may have to tell from Java's own 1
+            code = Integer.getInteger("simpleray.different", code);
+        }
+        System.exit(code);
     }
 
     /**

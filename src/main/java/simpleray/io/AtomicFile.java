@@ -209,8 +209,8 @@ public final class AtomicFile implements Closeable {
     }
 
     /**
-     * Overwrites the target. Its length changes first, so that a disk that is too full or cannot cut a file off is noticed while the old file is
-     * whole.
+     * Overwrites the target. Its length changes first, so that a disk that is too full or cannot cut a file off is noticed while the old
+     * file is whole.
      */
     private void overwrite() throws IOException {
         boolean there = Files.exists(target);

@@ -208,8 +208,8 @@ public final class SceneLint {
     }
 
     /**
-     * {@return whether an overlap of two faces may be seen} From a side on which an opaque body of another object lies on it, it is not. The eye
-     * is on one side; the other is seen by what mirrors or bends a ray there, unless an endless opaque plane is between.
+     * {@return whether an overlap of two faces may be seen} From a side on which an opaque body of another object lies on it, it is not. The
+     * eye is on one side; the other is seen by what mirrors or bends a ray there, unless an endless opaque plane is between.
      */
     private boolean isSeen(CoplanarSurfaces.Face one, CoplanarSurfaces.Face other, Map<Integer, Boolean> solid) {
         boolean[] hidden = new boolean[2];                    // from below and from above, as the one's normal has it

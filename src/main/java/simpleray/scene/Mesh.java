@@ -121,7 +121,7 @@ public final class Mesh extends Object {
      * Finds the line of a triangle's polygon. No mesh keeps its lines: the OBJ is read again up to there.
      *
      * @param triangle the triangle, from 0
-     * @return the OBJ, as messages call it, a colon and the line, from 1; null if there is no OBJ, or it does not have the triangle any more
+     * @return the OBJ, as messages call it, a colon and the line, from 1; null if there is no OBJ, or it has no such triangle any more
      */
     public String place(int triangle) {
         try {

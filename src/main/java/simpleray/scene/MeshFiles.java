@@ -172,7 +172,8 @@ final class MeshFiles {
         MtlReader.Skipped skipped = new MtlReader.Skipped();
         for (MaterialRuns.Name line : runs.libraries) {
             for (String file : MtlNames.split(line.text(), name -> isThere(is, MtlNames.besideObj(obj, name)))) {
-                library(is, obj, file, line.place(), skipped, problems, broken).forEach(material -> known.putIfAbsent(material.name, material));
+                library(is, obj, file, line.place(), skipped, problems, broken)
+                    .forEach(material -> known.putIfAbsent(material.name, material));
             }
         }
         if (runs.libraries.isEmpty() && mesh.triangles.count() > 0) {
@@ -215,8 +216,8 @@ final class MeshFiles {
     }
 
     private static Diagnostic needless(Diagnostic error, String more) {
-        return new Diagnostic(error.file(), error.line(), error.column(), false, error.message() + ", which the picture does not need" + more,
-            error.source());
+        return new Diagnostic(error.file(), error.line(), error.column(), false,
+            error.message() + ", which the picture does not need" + more, error.source());
     }
 
     /** {@return the materials of an MTL file; none if it cannot be read, of which a warning tells} */
