@@ -1,6 +1,7 @@
 package simpleray;
 
 import static com.tngtech.archunit.base.DescribedPredicate.not;
+import static com.tngtech.archunit.core.domain.JavaClass.Predicates.assignableTo;
 import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAPackage;
 import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAnyPackage;
 import static com.tngtech.archunit.core.domain.JavaClass.Predicates.type;
@@ -12,6 +13,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import com.tngtech.archunit.core.domain.JavaClass;
 import com.tngtech.archunit.core.domain.JavaClasses;
 import com.tngtech.archunit.core.importer.ClassFileImporter;
+import java.awt.Component;
 import java.awt.Rectangle;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -32,13 +34,14 @@ class RoomsTest {
     private static final Map<String, Integer> FLOORS = new TreeMap<>(Map.ofEntries(entry("simpleray.io", 0), entry("simpleray.text", 0),
         entry("simpleray.math", 1), entry("simpleray.image", 1), entry("simpleray.image.png", 2), entry("simpleray.accel", 2),
         entry("simpleray.scene", 3), entry("simpleray.trace", 4), entry("simpleray.pov", 4),
-        entry("simpleray.render", 5), entry("simpleray.ui.widget", 6), entry("simpleray.ui.file", 6), entry("simpleray.ui.picture", 7),
-        entry("simpleray.ui.editor", 8), entry("simpleray.ui.compare", 8), entry("simpleray.ui.inspect", 8),
-        entry("simpleray.ui.desktop", 8), entry("simpleray.ui", 9), entry("simpleray.cli", 10)));
+        entry("simpleray.render", 5), entry("simpleray.rays", 6), entry("simpleray.ui.widget", 7), entry("simpleray.ui.file", 7), entry("simpleray.ui.picture", 8),
+        entry("simpleray.ui.editor", 9), entry("simpleray.ui.compare", 9), entry("simpleray.ui.inspect", 9),
+        entry("simpleray.ui.desktop", 9), entry("simpleray.ui", 10), entry("simpleray.cli", 11)));
     private static final String SCENE = "simpleray.scene";
     private static final String UI = "simpleray.ui..";
     private static final String CLI = "simpleray.cli";
     private static final String IMAGE = "simpleray.image";
+    private static final String RAYS = "simpleray.rays";
     private static final String PNG = "simpleray.image.png";
     private static final JavaClasses PROGRAM =
         new ClassFileImporter().importUrl(Main.class.getProtectionDomain().getCodeSource().getLocation());
@@ -82,12 +85,14 @@ class RoomsTest {
 
     @Test
     void onlyTheWindowKnowsSwing() {
-        noClasses().that().resideOutsideOfPackages(UI, IMAGE, PNG).should().dependOnClassesThat()
+        noClasses().that().resideOutsideOfPackages(UI, IMAGE, PNG, RAYS).should().dependOnClassesThat()
             .resideInAnyPackage("java.awt..", "javax.swing..", "javax.accessibility..", "javax.imageio..", "com.formdev..",
                 "org.fife..").check(PROGRAM);
         noClasses().that().resideInAnyPackage(IMAGE, PNG).should().dependOnClassesThat(
             resideInAnyPackage("java.awt..", "javax.swing..", "javax.accessibility..", "com.formdev..", "org.fife..")
                 .and(not(resideInAPackage("java.awt.image.."))).and(not(type(Rectangle.class)))).check(PROGRAM);
+        noClasses().that().resideInAPackage(RAYS).should().dependOnClassesThat(resideInAnyPackage("java.awt.event..", "javax.swing..")
+            .or(assignableTo(Component.class))).check(PROGRAM);
     }
 
     /** All other parts of the window know it as an interface. */

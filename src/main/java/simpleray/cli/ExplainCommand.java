@@ -12,7 +12,7 @@ import simpleray.render.Explainer;
 import simpleray.render.PixelStory;
 import simpleray.render.RenderRequest;
 import simpleray.render.StoryText;
-import simpleray.scene.Scene;
+import simpleray.scene.SceneFile;
 
 /** Tells why a pixel has its colour. */
 @Command(mixinStandardHelpOptions = true, sortOptions = false,
@@ -65,18 +65,28 @@ final class ExplainCommand implements Callable<Integer> {
     private boolean quiet;
 
     @Mixin
+    private DrawOptions drawing;
+
+    @Mixin
     private OutsideOption outside;
 
     @Override
     public Integer call() throws CommandException {
+        boolean drawn = drawing.isAsked();
+        if (drawn) {
+            drawing.checkName(scene);
+        }
         RenderRequest request = picture.request(stage.stage(), Runtime.getRuntime().availableProcessors()).with(accel);
-        Scene read = SceneArgument.read(scene, main.in(), quiet ? null : main.err(), outside.reach()).scene();
-        Explainer explainer = request.renderer(read).explainer();
+        SceneFile read = SceneArgument.read(scene, main.in(), quiet ? null : main.err(), outside.reach());
+        Explainer explainer = request.renderer(read.scene()).explainer();
         if (pixel.x >= explainer.width() || pixel.y >= explainer.height()) {
             throw CommandException.usage("the pixel " + pixel.x + ',' + pixel.y + " is outside the picture of " + explainer.width() + 'x'
                 + explainer.height() + ", whose last one is " + (explainer.width() - 1) + ',' + (explainer.height() - 1));
         }
         PixelStory story = explainer.story(pixel.x, pixel.y);
+        if (drawn) {
+            drawing.draw(main, story, request, scene, read);
+        }
         TextOutput.say(main, format == Format.JSON ? StoryJson.of(story) : StoryText.of(story));
         return ExitCode.DONE;
     }

@@ -29,7 +29,8 @@ import simpleray.text.NumberParser;
 /** Makes the thesis's figures of a scene, each a sheet of labelled pictures. */
 @Command(mixinStandardHelpOptions = true, sortOptions = false,
     description = "Makes the thesis's figures of a scene, each a sheet of labelled pictures: DIR/NAME-stages.png (figures 12 to 14), "
-        + "DIR/NAME-terms.png (figure 10) and, with --sweep, DIR/NAME-shininess.png (figure 8).")
+        + "DIR/NAME-terms.png (figure 10), with --rays DIR/NAME-rays.png (figures 1, 2, 6 and 9) and, with --sweep, DIR/NAME-shininess.png "
+        + "(figure 8).")
 final class FiguresCommand implements Callable<Integer> {
     @ParentCommand
     private Main main;
@@ -44,6 +45,10 @@ final class FiguresCommand implements Callable<Integer> {
     @Option(names = "--sweep", paramLabel = "shininess=N,N,...", converter = Sweep.Converter.class,
         description = "Also a strip of the lighting stage in which all materials have this shininess, and this one, and so on.")
     private Sweep sweep;
+
+    @Option(names = "--rays", description = "Also the rays of a pixel: the basic method, all its rays with their vectors, and the vectors of "
+        + "the diffuse and the specular term.")
+    private boolean rays;
 
     @Mixin
     private PictureOptions picture;
@@ -101,6 +106,10 @@ final class FiguresCommand implements Callable<Integer> {
         figures.add(new Figure("stages", List.of("original", "with lighting", "with shadows and reflections"), 3,
             () -> render(Stage.ORIGINAL, Stage.LIGHTING, Stage.FINAL)));
         figures.add(new Figure("terms", List.of("ambient", "diffuse", "specular", "their sum"), 3, this::terms));
+        if (rays) {
+            figures.add(new Figure("rays", List.of("the basic method", "its rays and vectors", "the diffuse term: N, L",
+                "the specular term: N, L, H, ray"), 0, () -> RayFigures.of(request.applyTo(read), request)));
+        }
         if (sweep != null) {                                  // the last one: it changes the scene
             List<String> labels = sweep.values().stream().map(value -> "shininess " + value).toList();
             figures.add(new Figure("shininess", labels, labels.size(), this::swept));

@@ -2,11 +2,14 @@ package simpleray.cli;
 
 import java.util.Arrays;
 import java.util.Locale;
+import simpleray.math.Point;
 import simpleray.render.Region;
 import simpleray.text.NumberParser;
 
 /** The values of options. What cannot be read is an IllegalArgumentException that says what was expected, and what was found. */
 final class Values {
+    private static final double FARTHEST = 1e100;
+
     private Values() {
     }
 
@@ -19,6 +22,19 @@ final class Values {
             throw expected("two integers from 0 such as 120,80", value);
         }
         return new ExplainCommand.Pixel(x.intValue(), y.intValue());
+    }
+
+    /** Reads {@code 4,2.5,-1}. */
+    static Point point(String value) {
+        String[] words = value.split(",", -1);
+        double[] n = new double[3];
+        for (int i = 0; i < n.length; i++) {
+            n[i] = words.length == n.length ? NumberParser.parseDouble(words[i]) : Double.NaN;
+            if (!(Math.abs(n[i]) <= FARTHEST)) {
+                throw expected("three numbers such as 4,2.5,-1", value);
+            }
+        }
+        return new Point(n[0], n[1], n[2]);
     }
 
     /** Reads {@code 100,50,64,48}. */

@@ -160,6 +160,27 @@ public final class Picture {
     }
 
     /**
+     * Makes a picture of an image of AWT.
+     *
+     * @param image the image; its transparency is lost
+     * @return a new picture, of which {@link #toBufferedImage} makes an equal image
+     */
+    public static Picture of(BufferedImage image) {
+        Picture picture = new Picture(image.getWidth(), image.getHeight());
+        for (int y = 0; y < picture.height; y++) {
+            byte[] levels = new byte[3 * picture.width];
+            for (int x = 0; x < picture.width; x++) {
+                int rgb = image.getRGB(x, y);
+                levels[3 * x] = (byte) (rgb >> 16);
+                levels[3 * x + 1] = (byte) (rgb >> 8);
+                levels[3 * x + 2] = (byte) rgb;
+            }
+            picture.setRow(y, light(levels));
+        }
+        return picture;
+    }
+
+    /**
      * Writes the levels of a row into an array.
      *
      * @param y its number, 0 at the top

@@ -7,11 +7,11 @@ import java.util.stream.Collectors;
  * A font of {@value #WIDTH} by {@value #HEIGHT} dots for printable ASCII, drawn for this program: labels need no font of the system and
  * look the same everywhere. <em>Constant.</em>
  */
-final class PixelFont {
+public final class PixelFont {
     /** The width of a character in dots; one more separates it from the next. */
-    static final int WIDTH = 5;
+    public static final int WIDTH = 5;
     /** The height of a character in dots: seven above the baseline, two below. */
-    static final int HEIGHT = 9;
+    public static final int HEIGHT = 9;
 
     private static final char FIRST = ' ';
     private static final char LAST = '~';
@@ -83,8 +83,13 @@ final class PixelFont {
     private PixelFont() {
     }
 
-    /** {@return the width in dots of a text of so many characters} */
-    static int width(int characters) {
+    /**
+     * Returns the width of a text.
+     *
+     * @param characters how many characters it has
+     * @return its width in dots
+     */
+    public static int width(int characters) {
         return Math.max(0, characters * (WIDTH + 1) - 1);
     }
 
@@ -94,8 +99,9 @@ final class PixelFont {
      * @param text the text; characters other than printable ASCII become question marks
      * @param x dots from the left, 0 or more
      * @param y dots from the top, 0 to {@link #HEIGHT} - 1
+     * @return true within a character's strokes
      */
-    static boolean isDark(String text, int x, int y) {
+    public static boolean isDark(String text, int x, int y) {
         int place = x / (WIDTH + 1);
         int column = x % (WIDTH + 1);
         if (place >= text.length() || column == WIDTH) {

@@ -35,7 +35,7 @@ class EveryOutputTest {
     /** {@return all that writes one file} In a line @ stands for the folder of what is read. */
     static List<String> files() {
         return List.of("render @ball.scene --progress plain -o", "convert @ball.scene", "export --pov @ball.scene -o",
-            "compare @one.png @other.png --heatmap");
+            "compare @one.png @other.png --heatmap", "explain @ball.scene --pixel 5,5 -q --draw-size 9x9 --draw");
     }
 
     /** {@return all that writes to standard output} */

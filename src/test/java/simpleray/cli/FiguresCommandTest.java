@@ -52,6 +52,13 @@ class FiguresCommandTest {
     }
 
     @Test
+    void raysAreDrawnOnRequest() throws IOException {
+        assertThat(figures("--size", "20x10", "--rays")).isZero();
+
+        assertThat(names(sheets)).containsExactly("ball-rays.png", "ball-stages.png", "ball-terms.png");
+    }
+
+    @Test
     void theStagesAndTheTermsAreMadeInAFolderThatIsMadeToo() throws IOException {
         assertThat(figures("--size", "20x10")).isZero();
 

@@ -1,0 +1,172 @@
+package simpleray.rays;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import java.awt.image.BufferedImage;
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.util.EnumSet;
+import java.util.List;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import simpleray.image.Picture;
+import simpleray.math.Point;
+import simpleray.rays.RaySegment.Kind;
+import simpleray.render.RenderRequest;
+import simpleray.render.Stage;
+import simpleray.scene.PerspectiveCamera.Pose;
+import simpleray.scene.Scene;
+import simpleray.text.SceneReader;
+
+/** A ball in a room of six walls, whose rays are drawn from outside. */
+class RayDrawingTest {
+    private static final int WIDTH = 400;
+    private static final int HEIGHT = 300;
+    private static final String SCENE = """
+        7
+        0  0 0 -5  1   0.1 0.1 0.1  0.5 0.5 0.5  0.5 0.5 0.5  10
+        1  0 1 0  -2   0.1 0.1 0.1  0.5 0 0  0 0 0  1
+        1  0 1 0   4   0.1 0.1 0.1  0.5 0.5 0.5  0 0 0  1
+        1  1 0 0  -4   0.1 0.1 0.1  0.5 0.5 0.5  0 0 0  1
+        1  1 0 0   4   0.1 0.1 0.1  0.5 0.5 0.5  0 0 0  1
+        1  0 0 1  -9   0.1 0.1 0.1  0.5 0.5 0.5  0 0 0  1
+        1  0 0 1   3   0.1 0.1 0.1  0.5 0.5 0.5  0 0 0  1
+        0.1 0.1 0.1
+        1
+        0  1 1 1  3 3 2
+        """;
+    private Scene scene;
+    private List<RaySegment> segments;
+
+    @BeforeEach
+    void tell() throws IOException {
+        scene = new Scene();
+        scene.read(new SceneReader(new ByteArrayInputStream(SCENE.getBytes(StandardCharsets.UTF_8))));
+        segments = RaySegment.of(new RenderRequest().renderer(scene).explainer().story(100, 100), scene);
+    }
+
+    private OutsideView view(Point eye) {
+        return OutsideView.of(scene, segments.get(0).from(), OutsideView.pose(segments, eye), WIDTH, HEIGHT, Stage.LIGHTING, 1);
+    }
+
+    private RayDrawing drawing(OutsideView view) {
+        return new RayDrawing(view, scene.settings.newCamera(), segments, RayDrawing.RAYS);
+    }
+
+    @Test
+    void wallsBeforeTheRoomAreLeftOut() {
+        Point inside = new Point(0, 0, 2);
+        assertThat(OutsideView.opened(scene, inside, new Point(0, 30, 0)).getNumberObjects()).isEqualTo(6);
+        assertThat(OutsideView.opened(scene, inside, new Point(30, 30, 30)).getNumberObjects()).isEqualTo(4);
+        assertThat(OutsideView.opened(scene, inside, new Point(1, 1, 1)).getNumberObjects()).isEqualTo(7);
+    }
+
+    @Test
+    void theEyeOutsideLooksAtTheMiddleOfTheRays() {
+        Pose pose = OutsideView.pose(segments, new Point(20, 5, 9));
+
+        assertThat(new double[] {pose.ex(), pose.ey(), pose.ez()}).containsExactly(20, 5, 9);
+        assertThatThrownBy(() -> OutsideView.pose(segments, new Point(pose.lx(), pose.ly(), pose.lz())))
+            .isInstanceOf(IllegalArgumentException.class).hasMessage("an eye other than the middle of the rays");
+    }
+
+    @Test
+    void withoutAnEyeTheWholePrimaryRayIsInThePicture() {
+        RayDrawing drawing = drawing(view(null));
+        double[] ends = drawing.ends(segments.get(0).from(), segments.get(0).to());
+
+        assertThat(ends[0]).isBetween(0.0, (double) WIDTH);
+        assertThat(ends[1]).isBetween(0.0, (double) HEIGHT);
+        assertThat(ends[3]).isBetween(0.0, (double) WIDTH);
+        assertThat(ends[4]).isBetween(0.0, (double) HEIGHT);
+    }
+
+    @Test
+    void theMiddleOfTheViewIsWhereTheEyeLooks() {
+        OutsideView view = view(new Point(0, 20, 0));
+        Pose pose = OutsideView.pose(segments, new Point(0, 20, 0));
+        Point middle = new Point(pose.lx(), pose.ly(), pose.lz());
+        double[] ends = drawing(view).ends(middle, new Point(pose.lx(), pose.ly(), pose.lz() + 1e-9));
+
+        assertThat(ends[0]).isCloseTo(WIDTH / 2.0, within(1e-3));
+        assertThat(ends[1]).isCloseTo(HEIGHT / 2.0, within(1e-3));
+    }
+
+    @Test
+    void whatIsBehindTheEyeIsNotDrawnAndALineFromThereIsCut() {
+        RayDrawing drawing = drawing(view(new Point(0, 20, 0)));
+
+        assertThat(drawing.ends(new Point(0, 30, 0), new Point(1, 25, 0))).isNull();
+        double[] cut = drawing.ends(new Point(0, 30, 0), new Point(0, 0, 0));
+        assertThat(cut[2]).isBetween(0.0, 1e-3);
+        assertThat(cut[5]).isGreaterThan(10);
+    }
+
+    @Test
+    void aLineBehindTheBallIsHiddenAndOneBeforeItIsNot() {
+        OutsideView view = view(new Point(0, 20, -5));
+        RayDrawing drawing = drawing(view);
+
+        double[] behind = drawing.ends(new Point(-0.1, -1.5, -5), new Point(0.1, -1.5, -5));
+        double[] before = drawing.ends(new Point(-0.1, 1.5, -5), new Point(0.1, 1.5, -5));
+        assertThat(drawing.isHidden(behind, 0.5)).isTrue();
+        assertThat(drawing.isHidden(before, 0.5)).isFalse();
+    }
+
+    @Test
+    void theRayUnderTheMouseIsFound() {
+        RayDrawing drawing = drawing(view(null));
+        double[] ends = drawing.ends(segments.get(0).from(), segments.get(0).to());
+
+        double x = ends[0] + 0.2 * (ends[3] - ends[0]);
+        double y = ends[1] + 0.2 * (ends[4] - ends[1]);
+        assertThat(drawing.at(x, y, 3).kind()).isEqualTo(Kind.PRIMARY);
+        assertThat(drawing.at(x, y + 120, 3)).isNull();
+    }
+
+    @Test
+    void raysAreDrawnInTheirColoursOverTheView() {
+        OutsideView view = view(null);
+        Picture picture = drawing(view).picture(100, 100);
+        BufferedImage with = picture.toBufferedImage();
+
+        assertThat(count(view.image, 0xffffffff)).isZero();
+        assertThat(count(with, 0xffffffff)).as("primary ray and legend").isGreaterThan(50);
+        assertThat(count(with, 0xffffe14d)).as("shadow ray").isPositive();
+    }
+
+    @Test
+    void vectorsAreDrawnIfTheyAreAskedFor() {
+        OutsideView view = view(null);
+        RayDrawing all = new RayDrawing(view, scene.settings.newCamera(), segments, EnumSet.allOf(Kind.class));
+
+        assertThat(all.segments()).anyMatch(segment -> segment.kind() == Kind.NORMAL);
+        assertThat(drawing(view).segments()).noneMatch(segment -> segment.kind().isVector());
+        assertThat(count(all.picture(100, 100).toBufferedImage(), 0xff7be07b)).isPositive();
+    }
+
+    @Test
+    void aSelectedRayIsThicker() {
+        RayDrawing drawing = drawing(view(null));
+        assertThat(white(drawing, segments.get(0))).isGreaterThan(white(drawing, null));
+    }
+
+    private static int white(RayDrawing drawing, RaySegment selected) {
+        BufferedImage image = new BufferedImage(WIDTH, HEIGHT, BufferedImage.TYPE_INT_RGB);
+        drawing.paint(image.createGraphics(), 100, 100, 1, selected);
+        return count(image, 0xffffffff);
+    }
+
+    private static int count(BufferedImage image, int rgb) {
+        int count = 0;
+        for (int y = 0; y < image.getHeight(); y++) {
+            for (int x = 0; x < image.getWidth(); x++) {
+                count += image.getRGB(x, y) == rgb ? 1 : 0;
+            }
+        }
+        return count;
+    }
+}
