@@ -1,5 +1,6 @@
 package simpleray.cli;
 
+import java.io.File;
 import java.io.OutputStream;
 import java.io.PrintWriter;
 import java.nio.charset.Charset;
@@ -16,6 +17,7 @@ import picocli.CommandLine.HelpCommand;
 import picocli.CommandLine.TypeConversionException;
 import simpleray.pov.PovChannel;
 import simpleray.render.Accel;
+import simpleray.text.Misspelling;
 
 /** All commands, and how picocli is to read their options. */
 final class Commands {
@@ -54,6 +56,10 @@ final class Commands {
 
     /** Does what a command line wants. {@return the exit code} */
     int execute(String[] args) {
+        String meant = args.length > 0 ? meant(args[0]) : null;
+        if (meant != null) {
+            return main.usage("simpleray", "unknown command '" + args[0] + "': did you mean " + meant + "?");
+        }
         String[] all = withCommand(Arrays.stream(args).map(Commands::named).toArray(String[]::new));
         PrintWriter results = writer(main.out());             // for help, version and completion; it notes errors and throws none
         int exitCode = line(all[0]).setOut(results).setErr(writer(main.err())).execute(all);
@@ -62,6 +68,12 @@ final class Commands {
             return ExitCode.WRITE_ERROR;
         }
         return exitCode;
+    }
+
+    /** {@return the command that a word may stand for, which is neither a command nor a file; null for none} */
+    private static String meant(String word) {
+        boolean other = word.startsWith("-") || ABOUT_ALL.contains(word) || ALONE.containsKey(word) || new File(word).exists();
+        return other ? null : Misspelling.meant(word, ALONE.keySet());
     }
 
     /** Puts {@code view} before a command line that begins with no command of ours. */

@@ -3,6 +3,7 @@ package simpleray.text;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Set;
 
 /** The errors and warnings of a scene file so far, and the thing that the next values belong to. <em>Mutable</em>, for one thread. */
 final class Diagnostics {
@@ -104,11 +105,14 @@ final class Diagnostics {
             : " (" + headings + " lines were skipped as headings)");
     }
 
-    /** Warns that a heading is skipped. */
-    void skipped(SourceLocation location, String heading) {
+    /** Warns that a heading is skipped, or a line that begins nearly as one of the keywords. */
+    void skipped(SourceLocation location, String heading, Set<String> keywords) {
         headings++;
-        warnings.add(problem(location, false,
-            "expected a value or a comment, found the heading " + Diagnostic.quoted(heading) + ", which is skipped"));
+        String word = heading.split("\\s", 2)[0];
+        String meant = Misspelling.meant(word, keywords);
+        warnings.add(problem(location, false, meant == null
+            ? "expected a value or a comment, found the heading " + Diagnostic.quoted(heading) + ", which is skipped"
+            : "unknown setting " + Diagnostic.quoted(word) + ": did you mean " + meant + "? The line is skipped"));
     }
 
     /** Warns about a value that is being read. */

@@ -97,7 +97,7 @@ final class Tokenizer {
         }
         if (diagnostics.hasRoom()) {
             SourceLocation location = buffer.locate(here);
-            diagnostics.skipped(location, location.text(here.end - here.start).strip());
+            diagnostics.skipped(location, location.text(here.end - here.start).strip(), keywords);
         }
         return true;
     }

@@ -19,6 +19,15 @@ class CommandsUsageTest {
     Path folder;
 
     @ParameterizedTest
+    @CsvSource({"rendr, render", "exprot, export", "veiw, view", "verfy, verify"})
+    void aMisspeltCommandIsTold(String word, String meant) {
+        Program.Result result = InProcess.run(word, "a.scene");
+
+        assertThat(result.exitCode()).isEqualTo(ExitCode.USAGE);
+        assertThat(result.err()).isEqualTo("simpleray: unknown command '" + word + "': did you mean " + meant + "? (see simpleray --help)\n");
+    }
+
+    @ParameterizedTest
     @CsvSource(delimiter = '|', value = {
         "--size 0x5 | Invalid value for option '--size': expected WxH such as 640x480, 1 to 65535 each, found '0x5'",
         "--size 640 | Invalid value for option '--size': expected WxH such as 640x480, 1 to 65535 each, found '640'",

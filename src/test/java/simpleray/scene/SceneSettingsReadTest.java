@@ -86,12 +86,12 @@ class SceneSettingsReadTest {
         assertThat(scene.settings.cop).isEqualTo(3);
         assertThat(scene.settings.resolution).isEqualTo(new SceneSettings.Resolution(4, 5));
         assertThat(scene.settings.samples).isEqualTo(2);
-        assertThat(scene.settings.depth).as("a misspelt keyword is a heading").isNull();
+        assertThat(scene.settings.depth).as("a misspelt keyword is skipped").isNull();
         assertThat(is.warnings()).extracting(Diagnostic::toString).containsExactly("""
             <stdin>:4:1: warning: expected a value or a comment, found the heading 'Size of the picture', which is skipped
             Size of the picture
             ^""", """
-            <stdin>:8:1: warning: expected a value or a comment, found the heading 'deptth 7', which is skipped
+            <stdin>:8:1: warning: unknown setting 'deptth': did you mean depth? The line is skipped
             deptth 7
             ^""", """
             <stdin>:10:1: warning: expected a value or a comment, found the heading 'The end', which is skipped
