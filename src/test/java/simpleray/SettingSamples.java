@@ -2,6 +2,9 @@ package simpleray;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.util.List;
 import java.util.Map;
 import simpleray.scene.SceneSettings;
 import simpleray.scene.Setting;
@@ -9,9 +12,15 @@ import simpleray.scene.Setting;
 /** A value for each setting of the table, other than its default, so that tests can walk the table. */
 public final class SettingSamples {
     private static final Map<String, String> VALUES = Map.of("resolution", "16x12", "depth", "3", "samples", "2", "cop", "3.5",
-        "window", "-1,1.25,-0.5,1", "camera", "3,2,5,0,0.5,0,40", "background", "0.1,0.2,0.4");
+        "window", "-1,1.25,-0.5,1", "camera", "3,2,5,0,0.5,0,40", "background", "0.1,0.2,0.4",
+        "frames", "24,12.5", "curve", "linear", "key", "1.5,camera,3,2,5,0,0.5,0,40");
 
     private SettingSamples() {
+    }
+
+    /** {@return the settings that an option sets, too; others belong to a film, not to a picture} */
+    public static List<Setting<?>> withOption() {
+        return Setting.ALL.stream().<Setting<?>>map(setting -> setting).filter(setting -> setting.option() != null).toList();
     }
 
     /** {@return a setting's value as on a command line} */
@@ -22,6 +31,13 @@ public final class SettingSamples {
 
     /** {@return settings of which only this one is set} */
     public static SceneSettings only(Setting<?> setting) {
+        if (setting.option() == null) {
+            try {
+                return SceneSettings.of(setting.keyword() + ' ' + value(setting).replace(',', ' '), "a.scene");
+            } catch (IOException e) {
+                throw new UncheckedIOException(e);
+            }
+        }
         SceneSettings settings = new SceneSettings();
         setting.parse(value(setting), settings);
         return settings;

@@ -13,6 +13,8 @@ import simpleray.text.SceneWriter;
  * there.
  */
 public final class Cylinder extends Object {
+    private static final String ENDS_DIFFER = "two ends that differ";
+
     /** The first end of the axis, in the middle of a flat end. */
     public Point start;
     /** The second end of the axis, other than the first. */
@@ -170,6 +172,15 @@ public final class Cylinder extends Object {
     }
 
     @Override
+    public Object moved(Vector t) {
+        Cylinder moved = new Cylinder(surfaceMaterial, Lengths.moved(start, t), Lengths.moved(end, t), radius);
+        if (moved.start.equals(moved.end)) {
+            throw new IllegalArgumentException(ENDS_DIFFER);
+        }
+        return moved;
+    }
+
+    @Override
     public void print(SceneWriter os) throws IOException {
         os.writeString("Cylinder with ends: ");
         start.print(os);
@@ -187,7 +198,7 @@ public final class Cylinder extends Object {
         start = readEnd(is, "first end");
         end = readEnd(is, "second end");
         if (start.equals(end)) {
-            is.rejectGroup("two ends that differ");
+            is.rejectGroup(ENDS_DIFFER);
         }
         Lengths.check(is, "ends", start.x, start.y, start.z, end.x, end.y, end.z);
         radius = is.readDouble("radius");

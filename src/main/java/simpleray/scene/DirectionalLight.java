@@ -40,6 +40,18 @@ public final class DirectionalLight extends Light {
     }
 
     @Override
+    public Light moved(Vector t) {
+        DirectionalLight light = new DirectionalLight(direction);
+        light.intensity = intensity;
+        return light;
+    }
+
+    @Override
+    public boolean isDistant() {
+        return true;
+    }
+
+    @Override
     public void print(SceneWriter os) throws IOException {
         os.writeString("Directional light with colour: ");
         intensity.print(os);

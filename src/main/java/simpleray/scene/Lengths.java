@@ -1,6 +1,8 @@
 package simpleray.scene;
 
 import java.io.IOException;
+import simpleray.math.Point;
+import simpleray.math.Vector;
 import simpleray.text.SceneReader;
 
 /**
@@ -12,6 +14,8 @@ final class Lengths {
     static final double MAX = 1e100;
     /** The largest factor of the coordinates of a mesh; scaled, they are no larger than other lengths. */
     static final double MAX_SCALE = 1e60;
+    /** What numbers without another limit must be, for messages. */
+    static final String FINITE = "finite numbers";
 
     private Lengths() {
     }
@@ -23,6 +27,22 @@ final class Lengths {
                 is.rejectGroup(what + " of numbers from -1e100 to 1e100");
                 return;
             }
+        }
+    }
+
+    /** {@return a point moved by t} Throws an IllegalArgumentException if it is then beyond the limit. */
+    static Point moved(Point p, Vector t) {
+        Point moved = Point.add(p, t);
+        checkMoved(moved.x);
+        checkMoved(moved.y);
+        checkMoved(moved.z);
+        return moved;
+    }
+
+    /** Throws an IllegalArgumentException if a number that was moved is beyond the limit, or none. */
+    static void checkMoved(double length) {
+        if (!(Math.abs(length) <= MAX)) {
+            throw new IllegalArgumentException("numbers from -1e100 to 1e100");
         }
     }
 

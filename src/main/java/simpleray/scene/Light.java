@@ -12,6 +12,8 @@ public abstract class Light implements SceneElement {
     /** The colour of the light, LC; it does not fade with distance. */
     public Colour intensity = new Colour(1, 1, 1);
 
+    private static final Vector NOWHERE = new Vector(-0.0, -0.0, -0.0);   // which changes no number, not even -0.0
+
     /** Creates a white light. */
     public Light() {
     }
@@ -31,6 +33,32 @@ public abstract class Light implements SceneElement {
      * @return the point itself, not a copy; null if there is none, and so no light buffer
      */
     public abstract Point origin();
+
+    /**
+     * Returns this light in another place. Any thread may call.
+     *
+     * @param t the offset from where it is; without effect on a light that is infinitely far
+     * @return a new light, of the same colour
+     * @throws IllegalArgumentException if no scene may have it there; the message says what is expected
+     */
+    public abstract Light moved(Vector t);
+
+    /**
+     * Returns this light in another colour. Any thread may call.
+     *
+     * @param colour the colour, referenced
+     * @return a new light, in the same place
+     */
+    public final Light coloured(Colour colour) {
+        Light light = moved(NOWHERE);
+        light.intensity = colour;
+        return light;
+    }
+
+    /** {@return whether it is infinitely far, and so cannot be moved} */
+    public boolean isDistant() {
+        return false;
+    }
 
     /**
      * Prints the light as the thesis's Interpretation does, one line without its line break.

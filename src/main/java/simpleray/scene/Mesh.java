@@ -82,6 +82,16 @@ public final class Mesh extends Object {
         this.mesh = mesh;
     }
 
+    /** Creates a mesh of the same triangles and materials in another place. */
+    private Mesh(Mesh of, Point offset) {
+        super(of.surfaceMaterial);
+        file = of.file;
+        this.offset = offset;
+        scale = of.scale;
+        mesh = of.mesh;
+        materials = of.materials;
+    }
+
     /** {@return the number of triangles} */
     public int size() {
         return mesh.triangles.count();
@@ -331,6 +341,11 @@ public final class Mesh extends Object {
     @Override
     public boolean isSolid() {
         return mesh.triangles.isClosed();
+    }
+
+    @Override
+    public Object moved(Vector t) {
+        return new Mesh(this, Lengths.moved(offset, t));
     }
 
     @Override

@@ -151,6 +151,16 @@ public abstract class Object implements SceneElement {
     }
 
     /**
+     * Returns this object in another place. Any thread may call.
+     *
+     * @param t the offset from where it is
+     * @return a new object, of the same material; a mesh has the same triangles, not a copy
+     * @throws IllegalArgumentException if no scene may have it there, such as {@code numbers from -1e100 to 1e100} exceeded; the message
+     *     says what is expected
+     */
+    public abstract Object moved(Vector t);
+
+    /**
      * Prints the object as the thesis's Interpretation does, two lines without the last line break.
      *
      * @param os where to

@@ -72,6 +72,14 @@ public final class Plane extends Object {
         return null;
     }
 
+    /** {@inheritDoc} N·t is added to the constant. */
+    @Override
+    public Object moved(Vector t) {
+        double c = constant + normal.dot(t);
+        Lengths.checkMoved(c);
+        return new Plane(surfaceMaterial, normal, c);
+    }
+
     @Override
     public void print(SceneWriter os) throws IOException {
         os.writeString("Plane with normal: ");

@@ -37,6 +37,17 @@ public final class PointLight extends Light {
     }
 
     @Override
+    public Light moved(Vector t) {
+        Point p = Point.add(origin, t);
+        if (!Double.isFinite(p.x) || !Double.isFinite(p.y) || !Double.isFinite(p.z)) {
+            throw new IllegalArgumentException(Lengths.FINITE);
+        }
+        PointLight light = new PointLight(p);
+        light.intensity = intensity;
+        return light;
+    }
+
+    @Override
     public void print(SceneWriter os) throws IOException {
         os.writeString("Point light with colour: ");
         intensity.print(os);

@@ -34,11 +34,11 @@ public final class Scene {
         lights = new ArrayList<>();
     }
 
-    private Scene(Scene of, SceneSettings settings) {
+    private Scene(Scene of, SceneSettings settings, List<Object> objects, List<Light> lights) {
         ambient = of.ambient;
         this.settings = settings;
-        objects = of.objects;
-        lights = of.lights;
+        this.objects = objects;
+        this.lights = lights;
         numberObjects = of.numberObjects;
         numberLights = of.numberLights;
         objectLines = of.objectLines;
@@ -53,7 +53,38 @@ public final class Scene {
      * @return a new scene
      */
     public Scene with(SceneSettings other) {
-        return new Scene(this, other);
+        return new Scene(this, other, objects, lights);
+    }
+
+    /** {@return the film of this scene, of one frame if it has no frames; a new one, so keep it for many frames} */
+    public Film film() {
+        return new Film(this);
+    }
+
+    /**
+     * Returns the still scene of a frame, as by {@link Film#still}.
+     *
+     * @param frame the frame, from 0 to the film's last; need not be whole
+     * @return the scene, without frames, keys and curve; this scene if it is no film
+     * @throws IllegalArgumentException if there is no such frame, or it has values that no scene may have
+     */
+    public Scene still(double frame) {
+        return film().still(frame);
+    }
+
+    /** {@return a scene of the same objects and lights, any of which can be replaced} */
+    Scene copy() {
+        return new Scene(this, settings, new ArrayList<>(objects), new ArrayList<>(lights));
+    }
+
+    /** Replaces an object by the same one in another place; it keeps its line. */
+    void replace(int i, Object o) {
+        objects.set(i, o);
+    }
+
+    /** Replaces a light likewise. */
+    void replace(int i, Light light) {
+        lights.set(i, light);
     }
 
     /** {@return the number of objects} */
@@ -221,9 +252,13 @@ public final class Scene {
         List<Light> newLights = LightKind.TABLE.readAll(is, m, newLightLines);
         String end = "the end of the scene " + before + LightKind.TABLE.counted(m) + ')';
         SceneSettings newSettings = new SceneSettings();
-        newSettings.read(is);
+        newSettings.read(is, newObjects, newLights);
         counts.fit = is.eof();
         is.complete(end);
+        if (newSettings.keys != null) {
+            KeyReader.of(is).checkFilm(is, new Film(new Scene(this, newSettings, newObjects, newLights)));
+            is.complete(end);
+        }
 
         objects.clear();
         objects.addAll(newObjects);

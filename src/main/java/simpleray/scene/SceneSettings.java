@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import simpleray.math.Colour;
@@ -25,6 +26,8 @@ public final class SceneSettings {
     public static final int DEFAULT_DEPTH = 10;
     /** The most samples of a pixel, along each side. */
     public static final int MAX_SAMPLES = 16;
+    /** What a camera and other settings exclude, for messages. */
+    static final String EITHER = "either a camera, or a window and a cop";
 
     /** The colour of a ray that hits nothing. */
     public Colour background;
@@ -40,9 +43,17 @@ public final class SceneSettings {
     public Integer depth;
     /** Samples along each side of a pixel, 1 to {@link #MAX_SAMPLES}. */
     public Integer samples;
+    /** How many frames the film has; without it there is none. */
+    public Frames frames;
+    /** How values go from key to key. */
+    public Curve curve;
+    /** What things are at some frames, in the order of the file; not to be changed once it is set. */
+    public List<Key> keys;
 
     /** The place of each keyword with its values in the file. */
     final Map<String, SourceSpan> places = new TreeMap<>();
+    /** The lines of the keys in the file. */
+    LineTable keyLines = new LineTable();
     /** The place of the last value in the file, of a setting or before; null if no file was read. */
     SourceSpan last;
 
@@ -71,7 +82,17 @@ public final class SceneSettings {
     }
 
     /**
-     * Overrides these settings by others. A camera and a centre of projection or window exclude each other.
+     * The frames of a film.
+     *
+     * @param count their number, 1 to {@link Film#MAX_FRAMES}
+     * @param rate the frames a second, above 0 and up to {@link Film#MAX_RATE}
+     */
+    public record Frames(int count, double rate) {
+    }
+
+    /**
+     * Overrides these settings by others. A camera and a centre of projection or window exclude each other, and any of them takes the place of
+     * the camera's keys.
      *
      * @param other the settings that win
      * @return new settings
@@ -82,6 +103,9 @@ public final class SceneSettings {
             if (!setting.isExcludedBy(other)) {
                 setting.copy(setting.isSet(other) ? other : this, both);
             }
+        }
+        if (keys != null && both.keys == keys && other.hasCamera()) {
+            both.keys = keys.stream().filter(key -> key.thing().kind() != Key.Kind.CAMERA).toList();
         }
         return both;
     }
@@ -160,8 +184,12 @@ public final class SceneSettings {
         }
     }
 
-    /** Reads keywords and their values up to the first other word. */
-    void read(SceneReader is) throws IOException {
+    private void read(SceneReader is) throws IOException {
+        read(is, null, null);
+    }
+
+    /** Reads keywords and their values up to the first other word. Objects and lights of the scene are null if there is none. */
+    void read(SceneReader is, List<Object> objects, List<Light> lights) throws IOException {
         last = SourceSpan.last(is);
         for (String word = is.takeKeyword(Setting.keywords()); word != null; word = is.takeKeyword(Setting.keywords())) {
             Setting<?> setting = Setting.of(word);
@@ -169,17 +197,24 @@ public final class SceneSettings {
                 is.reject("keyword " + word + " on a line of its own");
             }
             SourceSpan keyword = SourceSpan.last(is);
-            if (places.containsKey(word)) {
+            if (setting != Setting.KEY && places.containsKey(word)) {
                 is.reject("keyword " + word + " only once");
             }
-            if (isExcluded(setting)) {
-                is.reject("either a camera, or a window and a cop");
+            if (isExcluded(setting) || keys != null && KeyReader.of(is).hasCamera() && setting.excludes(Setting.CAMERA)) {
+                is.reject(EITHER);
+            }
+            if (setting == Setting.KEY) {
+                KeyReader.of(is).begin(objects, lights, isExcluded(Setting.CAMERA));
+                keyLines = KeyReader.of(is).lines();
             }
             is.enter(word + "'s");
             setting.read(is, this);
             is.leave();
             last = SourceSpan.last(is);
             places.put(word, new SourceSpan(keyword.start(), last.end()));
+        }
+        if (keys != null && objects != null) {
+            KeyReader.of(is).checkFrames(is, frames);
         }
     }
 

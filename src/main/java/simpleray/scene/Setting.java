@@ -4,10 +4,12 @@ import java.io.IOException;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import simpleray.math.Colour;
 import simpleray.scene.PerspectiveCamera.Pose;
+import simpleray.scene.SceneSettings.Frames;
 import simpleray.scene.SceneSettings.Resolution;
 import simpleray.scene.SceneSettings.Window;
 import simpleray.text.NumberParser;
@@ -196,10 +198,48 @@ public abstract class Setting<T> {
         }
     };
 
+    /** The frames of a film. */
+    public static final Setting<Frames> FRAMES = new Setting<>("frames") {
+        @Override Frames get(SceneSettings settings) { return settings.frames; }
+        @Override public void set(SceneSettings settings, Frames value) { settings.frames = value; }
+        @Override List<?> words(Frames value) { return List.of(value.count(), value.rate()); }
+
+        @Override
+        Frames read(SceneReader is) throws IOException {
+            int count = is.readInt("number from 1 to " + Film.MAX_FRAMES, 1, Film.MAX_FRAMES);
+            double rate = is.readDouble("frames a second");
+            if (rate <= 0 || rate > Film.MAX_RATE) {
+                is.reject("frames a second above 0 and up to 1000");
+            }
+            return new Frames(count, rate);
+        }
+    };
+
+    /** How values go from key to key. */
+    public static final Setting<Curve> CURVE = new Setting<>("curve") {
+        @Override Curve get(SceneSettings settings) { return settings.curve; }
+        @Override public void set(SceneSettings settings, Curve value) { settings.curve = value; }
+        @Override List<?> words(Curve value) { return List.of(value); }
+
+        @Override
+        Curve read(SceneReader is) throws IOException {
+            return Curve.valueOf(is.readWord("linear or smooth", Set.of("linear", "smooth")).toUpperCase(Locale.ROOT));
+        }
+    };
+
+    /** What things are at some frames; a line each. */
+    public static final Setting<List<Key>> KEY = new Setting<>("key") {
+        @Override List<Key> get(SceneSettings settings) { return settings.keys; }
+        @Override public void set(SceneSettings settings, List<Key> value) { settings.keys = value; }
+        @Override List<?> words(List<Key> keys) { return keys.stream().flatMap(key -> key.words().stream()).toList(); }
+        @Override List<List<?>> lines(List<Key> keys) { return keys.stream().<List<?>>map(Key::words).toList(); }
+        @Override List<Key> read(SceneReader is) throws IOException { return KeyReader.of(is).read(is); }
+    };
+
     /** All settings, in the order of the command line's help. */
-    public static final List<Setting<?>> ALL = List.of(RESOLUTION, DEPTH, SAMPLES, COP, WINDOW, CAMERA, BACKGROUND);
+    public static final List<Setting<?>> ALL = List.of(RESOLUTION, DEPTH, SAMPLES, COP, WINDOW, CAMERA, BACKGROUND, FRAMES, CURVE, KEY);
     /** All settings, in the order in which they are written into a scene file. */
-    static final List<Setting<?>> LINES = List.of(BACKGROUND, WINDOW, COP, CAMERA, RESOLUTION, DEPTH, SAMPLES);
+    static final List<Setting<?>> LINES = List.of(BACKGROUND, WINDOW, COP, CAMERA, RESOLUTION, DEPTH, SAMPLES, FRAMES, CURVE, KEY);
 
     private static final Map<String, Setting<?>> BY_KEYWORD = byKeyword();
 
@@ -223,6 +263,11 @@ public abstract class Setting<T> {
         this.label = label;
         this.description = description;
         this.normal = normal;
+    }
+
+    /** Makes an entry without an option and without a default. */
+    private Setting(String keyword) {
+        this(keyword, null, null, "", null);
     }
 
     private static Map<String, Setting<?>> byKeyword() {
@@ -289,8 +334,11 @@ public abstract class Setting<T> {
      * @return the value
      * @throws IllegalArgumentException if it is none; the message says what was expected, and what was found
      * @throws NumberFormatException if it is no integer, and ought to be one
+     * @throws UnsupportedOperationException if it has no option
      */
-    public abstract T parse(String value);
+    public T parse(String value) {
+        throw new UnsupportedOperationException(keyword + " has no option");
+    }
 
     /**
      * Sets the value of its option.
@@ -305,6 +353,11 @@ public abstract class Setting<T> {
 
     /** {@return a value as words of a scene file: doubles, integers and strings} */
     abstract List<?> words(T value);
+
+    /** {@return the words of each of its lines in a scene file} */
+    List<List<?>> lines(T value) {
+        return List.of(words(value));
+    }
 
     /** {@return what is between the words in an option's value} */
     char separator() {
@@ -391,22 +444,24 @@ public abstract class Setting<T> {
         set(settings, read(is));
     }
 
-    /** Writes its line of a scene file, if it is set. */
+    /** Writes its lines of a scene file, if it is set. */
     final void write(SceneWriter os, SceneSettings settings) throws IOException {
         T value = get(settings);
         if (value == null) {
             return;
         }
-        os.writeString(keyword);
-        for (java.lang.Object word : words(value)) {
-            os.writeChar(' ');
-            if (word instanceof Double number) {
-                os.writeDouble(number);
-            } else {
-                os.writeString(word.toString());
+        for (List<?> line : lines(value)) {
+            os.writeString(keyword);
+            for (java.lang.Object word : line) {
+                os.writeChar(' ');
+                if (word instanceof Double number) {
+                    os.writeDouble(number);
+                } else {
+                    os.writeString(word.toString());
+                }
             }
+            os.writeNewline();
         }
-        os.writeNewline();
     }
 
     /**

@@ -114,6 +114,11 @@ public final class Sphere extends Object {
     }
 
     @Override
+    public Object moved(Vector t) {
+        return new Sphere(surfaceMaterial, Lengths.moved(centre, t), radius);
+    }
+
+    @Override
     public void print(SceneWriter os) throws IOException {
         os.writeString("Sphere with centre: ");
         centre.print(os);

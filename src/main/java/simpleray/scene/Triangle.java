@@ -12,6 +12,7 @@ import simpleray.text.SceneWriter;
 public final class Triangle extends Object {
     /** The rounding error of a sum of products, as a share of it: four half units in the last place. */
     private static final double ROUNDING = 0x1p-51;
+    private static final String NOT_ON_ONE_LINE = "three vertices not on one line";
 
     /** The first vertex. */
     public Point a;
@@ -162,6 +163,15 @@ public final class Triangle extends Object {
     }
 
     @Override
+    public Object moved(Vector t) {
+        Triangle moved = new Triangle(surfaceMaterial, Lengths.moved(a, t), Lengths.moved(b, t), Lengths.moved(c, t));
+        if (moved.isFlat()) {
+            throw new IllegalArgumentException(NOT_ON_ONE_LINE);
+        }
+        return moved;
+    }
+
+    @Override
     public void print(SceneWriter os) throws IOException {
         os.writeString("Triangle with vertices: ");
         a.print(os);
@@ -180,7 +190,7 @@ public final class Triangle extends Object {
         b = readVertex(is, "second vertex");
         c = readVertex(is, "third vertex");
         if (isFlat()) {
-            is.rejectGroup("three vertices not on one line");
+            is.rejectGroup(NOT_ON_ONE_LINE);
         }
         Lengths.check(is, "vertices", a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z);
         readMaterial(is);

@@ -257,6 +257,28 @@ public final class SceneReader implements Closeable {
         return tokenizer.skip(keywords) && tokenizer.isNext(keywords) ? tokenizer.take(false) : null;
     }
 
+    /**
+     * Reads one of some words.
+     *
+     * @param field what it is, for the message
+     * @param words the words, which begin no heading here; each begins with a letter from A to Z or a to z
+     * @return the word
+     * @throws IOException if the next word is none of them, or the file cannot be read
+     */
+    public String readWord(String field, Set<String> words) throws IOException {
+        require(words, field);
+        String word = tokenizer.take(false);
+        if (!words.contains(word)) {
+            throw stop(field);
+        }
+        return word;
+    }
+
+    /** {@return the place of the value just read, for {@link #rejectAt}} */
+    public SourceLocation location() {
+        return tokenizer.last();
+    }
+
     /** {@return the line of the value just read, from 1} */
     public int line() {
         return tokenizer.line();
@@ -280,6 +302,18 @@ public final class SceneReader implements Closeable {
      */
     public void reject(String wanted) throws SceneFormatException {
         diagnostics.note(tokenizer.last(), wanted, BadNumber.describe(tokenizer.lastWord()));
+    }
+
+    /**
+     * Notes that a value that was read before is wrong.
+     *
+     * @param place where it is
+     * @param wanted what was expected instead
+     * @param found what was found
+     * @throws SceneFormatException if that is one error too many
+     */
+    public void rejectAt(SourceLocation place, String wanted, String found) throws SceneFormatException {
+        diagnostics.note(place, wanted, found);
     }
 
     /**

@@ -11,7 +11,7 @@ import java.nio.charset.StandardCharsets;
  * @param text the UTF-8 of the line, or of a long line {@link InputBuffer#CONTEXT} bytes on both sides
  * @param at the index of the location in the text
  */
-record SourceLocation(int line, int column, int begins, byte[] text, int at) {
+public record SourceLocation(int line, int column, int begins, byte[] text, int at) {
     /** {@return the line, or the known part of it} */
     String source() {
         return new String(text, StandardCharsets.UTF_8);

@@ -107,7 +107,7 @@ class PictureOptionsTest {
     }
 
     static List<Setting<?>> settings() {
-        return Setting.ALL;
+        return SettingSamples.withOption();
     }
 
     @Test

@@ -102,6 +102,11 @@ class PovWriterTest {
         }
 
         @Override
+        public Light moved(Vector t) {
+            throw new UnsupportedOperationException();
+        }
+
+        @Override
         public void print(SceneWriter os) {
         }
 

@@ -31,7 +31,7 @@ class RenderRequestTest {
         "region", new RenderRequest().with(new Region(1, 2, 3, 4)));
 
     static List<Setting<?>> all() {
-        return Setting.ALL;
+        return SettingSamples.withOption();
     }
 
     private static Map<String, String> identity(RenderRequest request, String settings) throws IOException {

@@ -36,6 +36,11 @@ public class StandIn extends Object {
     }
 
     @Override
+    public Object moved(Vector t) {
+        throw new UnsupportedOperationException();
+    }
+
+    @Override
     public void print(SceneWriter os) throws IOException {
         throw new UnsupportedOperationException();
     }

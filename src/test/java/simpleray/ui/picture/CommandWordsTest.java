@@ -16,7 +16,6 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.stream.Collectors;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -121,7 +120,7 @@ class CommandWordsTest {
     }
 
     static List<Setting<?>> settings() {
-        return Setting.ALL.stream().filter(setting -> setting.option() != null).collect(Collectors.toList());
+        return SettingSamples.withOption();
     }
 
     @Test

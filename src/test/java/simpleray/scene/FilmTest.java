@@ -1,0 +1,116 @@
+package simpleray.scene;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+import static simpleray.text.SceneText.reader;
+import static simpleray.text.SceneText.written;
+
+import java.io.IOException;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** What the things of a film are at its frames (the scene format's rules, with values computed by hand). */
+class FilmTest {
+    private static final String GREY = "  0 0 0 0.5 0.5 0.5 0 0 0 0\n";
+    /** Sphere, plane, triangle and cylinder; a point light and a directional one. */
+    private static final String SCENE = "4\n0 1 2 3 0.5" + GREY + "1 0 2 0 -3" + GREY + "2 0 0 0 1 0 0 0 1 0" + GREY + "3 0 0 0 0 1 0 0.25" + GREY
+        + "0.1 0.1 0.1\n2\n0 1 0.5 0.25 4 5 6\n1 0.5 0.5 0.5 0 -1 0\n";
+
+    private static Scene scene(String lines) throws IOException {
+        Scene scene = new Scene();
+        scene.read(reader(SCENE + lines));
+        return scene;
+    }
+
+    private static double x(Scene film, double frame) {
+        return ((Sphere) film.still(frame).getObject(0)).centre.x - 1;
+    }
+
+    private static String still(String lines, double frame) throws IOException {
+        return written(scene(lines).still(frame)::write);
+    }
+
+    @Test
+    void aSceneWithoutFramesIsAFilmOfOneFrame() throws IOException {
+        Scene scene = scene("");
+
+        assertThat(scene.film().frames()).isOne();
+        assertThat(scene.film().rate()).isEqualTo(25);
+        assertThat(scene.still(0)).isSameAs(scene);
+        assertThat(scene.still(-0.0)).isSameAs(scene);
+        assertThatIllegalArgumentException().isThrownBy(() -> scene.still(0.5)).withMessage("the frame must be from 0 to 0, and is 0.5");
+    }
+
+    @Test
+    void aFilmHasItsFramesAndItsRate() throws IOException {
+        Film film = scene("frames 48 23.976").film();
+
+        assertThat(film.frames()).isEqualTo(48);
+        assertThat(film.rate()).isEqualTo(23.976);
+        assertThat(film.has(0)).isTrue();
+        assertThat(film.has(-0.0)).isTrue();
+        assertThat(film.has(46.5)).isTrue();
+        assertThat(film.has(47)).isTrue();
+        assertThat(film.has(Math.nextUp(47.0))).isFalse();
+        assertThat(film.has(-Double.MIN_VALUE)).isFalse();
+        assertThat(film.has(Double.NaN)).isFalse();
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {-1, 48, 47.25, Double.NaN, Double.POSITIVE_INFINITY})
+    void aFrameThatTheFilmDoesNotHaveIsRefused(double frame) throws IOException {
+        Scene scene = scene("frames 48 24");
+
+        assertThatIllegalArgumentException().isThrownBy(() -> scene.still(frame))
+            .withMessage("the frame must be from 0 to 47, and is " + (frame == Math.rint(frame) && frame < 99 ? String.valueOf((int) frame) : frame));
+    }
+
+    @Test
+    void aStillHasNeitherFramesNorKeysNorCurve() throws IOException {
+        String other = "background 0.25 0.5 1.0\nresolution 4 3\ndepth 2\nsamples 3\n";
+
+        assertThat(still(other + "frames 5 25\ncurve linear\nkey 1 object 1 1 1 1", 0)).isEqualTo(still(other + "frames 1 1", 0).replace(
+            "1.0 2.0 3.0 0.5", "2.0 3.0 4.0 0.5")).endsWith("0.0 -1.0 0.0\n" + other);
+    }
+
+    /** With u = (f - 2) / 4: 10 + 20 u. */
+    @ParameterizedTest
+    @CsvSource({"0, 10", "2, 10", "3, 15", "4.5, 22.5", "5, 25", "6, 30", "7.5, 30", "9, 30"})
+    void aLinearChannelGoesStraightFromKeyToKeyAndIsConstantOutside(double frame, double x) throws IOException {
+        assertThat(x(scene("frames 10 25\ncurve linear\nkey 6 object 1 30 0 0\nkey 2 object 1 10 0 0"), frame)).isEqualTo(x);
+    }
+
+    /** Both tangents are 0: at u = 1/4 it is 10 + 20 (3/16 - 2/64) = 13.125. */
+    @ParameterizedTest
+    @CsvSource({"0, 10", "2, 10", "3, 13.125", "4, 20", "5, 26.875", "6, 30", "9, 30"})
+    void aSmoothChannelOfTwoKeysBeginsAndEndsAtRest(double frame, double x) throws IOException {
+        for (String curve : new String[] {"", "curve smooth\n"}) {
+            assertThat(x(scene("frames 10 25\n" + curve + "key 2 object 1 10 0 0\nkey 6 object 1 30 0 0"), frame)).isEqualTo(x);
+        }
+    }
+
+    /**
+     * Keys 0 at 0, 4 at 2, 4 at 8: the tangent at 2 is (4 - 0) / (8 - 0) = 1/2. At 1, u = 1/2: 4/2 - 1/8 · 2 · 1/2 = 1.875. At 5, u = 1/2: 4 + 1/8 · 6 ·
+     * 1/2 = 4.375. At 3.5, u = 1/4: 4 + (1/64 - 2/16 + 1/4) · 6 · 1/2 = 4.421875.
+     */
+    @ParameterizedTest
+    @CsvSource({"0, 0", "1, 1.875", "2, 4", "3.5, 4.421875", "5, 4.375", "8, 4", "9, 4"})
+    void aSmoothChannelPassesAKeyWithTheSlopeOfItsNeighbours(double frame, double x) throws IOException {
+        assertThat(x(scene("frames 10 25\nkey 8 object 1 4 0 0\nkey 0 object 1 0 0 0\nkey 2 object 1 4 0 0"), frame)).isEqualTo(x);
+    }
+
+    @Test
+    void theTermsOfTheHermiteFormulaAreThoseOfTheScenesFormat() {
+        double[] v = {0.3, -1.7, 2.9, 0.4};
+        for (double u = 0.015625; u < 1; u += 0.015625) {
+            double cube = u * u * u;
+            double square = u * u;
+            double expected = (2 * cube - 3 * square + 1) * v[0] + (cube - 2 * square + u) * 7 * v[1] + (-2 * cube + 3 * square) * v[2]
+                + (cube - square) * 7 * v[3];
+            assertThat(Curve.SMOOTH.between(u, 7, v[0], v[1], v[2], v[3])).isCloseTo(expected, org.assertj.core.data.Offset.offset(1e-13));
+            assertThat(Curve.LINEAR.between(u, 7, v[0], v[1], v[2], v[3])).isEqualTo(v[0] + u * (v[2] - v[0]));
+        }
+    }
+}
