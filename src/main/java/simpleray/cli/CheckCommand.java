@@ -32,6 +32,9 @@ final class CheckCommand implements Callable<Integer> {
     private Stats.Format errors;
 
     @Mixin
+    private FrameOption frame;
+
+    @Mixin
     private OutsideOption outside;
 
     @Override
@@ -44,13 +47,13 @@ final class CheckCommand implements Callable<Integer> {
         for (String scene : scenes) {
             try {
                 SceneFile file = SceneArgument.read(scene, main.in(), main.err(), outside.reach());
-                List<Diagnostic> more = SceneLint.all(file, SceneArgument.told(scene));
+                List<Diagnostic> more = SceneLint.all(meant(file, scene), SceneArgument.told(scene));
                 more.forEach(main.err()::println);
                 int warnings = file.warnings().size() + more.size();
                 TextOutput.say(main, scene + ": good: " + count(file.scene().getNumberObjects(), "object") + ", "
-                    + count(file.scene().getNumberLights(), "light") + (warnings > 0 ? ", " + count(warnings, "warning") : "") + '\n');
+                    + count(file.scene().getNumberLights(), "light") + frames(file) + (warnings > 0 ? ", " + count(warnings, "warning") : "") + '\n');
             } catch (CommandException e) {
-                if (e.exitCode() == ExitCode.WRITE_ERROR) {
+                if (e.exitCode() == ExitCode.WRITE_ERROR || e.exitCode() == ExitCode.USAGE) {
                     throw e;
                 }
                 main.err().println(e.getMessage());
@@ -68,7 +71,7 @@ final class CheckCommand implements Callable<Integer> {
             try {
                 SceneFile file = SceneArgument.open(scene, main.in(), outside.reach());
                 problems.addAll(file.warnings());
-                problems.addAll(SceneLint.all(file, name));
+                problems.addAll(SceneLint.all(meant(file, scene), name));
             } catch (SceneFormatException e) {
                 problems.addAll(e.problems());
                 worst = Math.max(worst, ExitCode.BAD_SCENE);
@@ -83,6 +86,15 @@ final class CheckCommand implements Callable<Integer> {
         }
         TextOutput.say(main, Json.array(problems));
         return worst;
+    }
+
+    /** {@return the frame that is asked for; the whole film without one} */
+    private SceneFile meant(SceneFile file, String scene) throws CommandException {
+        return frame.isGiven() ? frame.of(file, scene) : file;
+    }
+
+    private static String frames(SceneFile file) {
+        return file.scene().settings.frames == null ? "" : ", " + count(file.scene().settings.frames.count(), "frame");
     }
 
     private static String count(int n, String what) {

@@ -43,6 +43,7 @@ final class Commands {
         alone.put("print", PrintCommand.class);
         alone.put("check", CheckCommand.class);
         alone.put("convert", ConvertCommand.class);
+        alone.put("still", StillCommand.class);
         alone.put("export", ExportCommand.class);
         alone.put("verify", VerifyCommand.class);
         alone.put("compare", CompareCommand.class);

@@ -57,6 +57,9 @@ final class ExplainCommand implements Callable<Integer> {
     @Mixin
     private StageOption stage;
 
+    @Mixin
+    private FrameOption frame;
+
     @Option(names = "--accel", paramLabel = "HOW", defaultValue = "auto",
         description = "How the nearest object is found: ${COMPLETION-CANDIDATES} (default: ${DEFAULT-VALUE}). The story is the same.")
     private Accel accel = Accel.AUTO;
@@ -77,7 +80,7 @@ final class ExplainCommand implements Callable<Integer> {
             drawing.checkName(scene);
         }
         RenderRequest request = picture.request(stage.stage(), Runtime.getRuntime().availableProcessors()).with(accel);
-        SceneFile read = SceneArgument.read(scene, main.in(), quiet ? null : main.err(), outside.reach());
+        SceneFile read = frame.of(SceneArgument.read(scene, main.in(), quiet ? null : main.err(), outside.reach()), scene);
         Explainer explainer = request.renderer(read.scene()).explainer();
         if (pixel.x >= explainer.width() || pixel.y >= explainer.height()) {
             throw CommandException.usage("the pixel " + pixel.x + ',' + pixel.y + " is outside the picture of " + explainer.width() + 'x'

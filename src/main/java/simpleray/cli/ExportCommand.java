@@ -43,6 +43,9 @@ final class ExportCommand implements Callable<Integer> {
     private OutsideOption outside;
 
     @Mixin
+    private FrameOption frame;
+
+    @Mixin
     private PictureOptions picture;
 
     @Override
@@ -51,7 +54,7 @@ final class ExportCommand implements Callable<Integer> {
         OutputName.refuseScene(output, scene);
         SceneFile file = SceneArgument.read(scene, main.in(), main.err(), outside.reach());
         OutputName.refuseNamed(output, scene, file);
-        Scene asked = request.applyTo(file.scene());
+        Scene asked = request.applyTo(frame.of(file, scene).scene());
         PovExporter exported = new PovExporter(asked, asked.settings.newCamera(), Setting.DEPTH.in(asked.settings), channel);
         try {
             TextOutput.write(main, output, exported::write);

@@ -57,6 +57,9 @@ final class FiguresCommand implements Callable<Integer> {
     private OutsideOption outside;
 
     @Mixin
+    private FrameOption frame;
+
+    @Mixin
     private WorkOptions work;
 
     private RenderRequest request;
@@ -75,7 +78,7 @@ final class FiguresCommand implements Callable<Integer> {
         for (Figure figure : figures) {
             OutputName.refuseScene(output(figure), scene);
         }
-        file = SceneArgument.read(scene, main.in(), work.warnings(main.err()), outside.reach());
+        file = frame.of(SceneArgument.read(scene, main.in(), work.warnings(main.err()), outside.reach()), scene);
         read = file.scene();
         for (Figure figure : figures) {
             OutputName.refuseNamed(output(figure), scene, file);

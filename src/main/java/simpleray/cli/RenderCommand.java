@@ -50,6 +50,9 @@ final class RenderCommand implements PlainCommand {
     private final StageOption stage = new StageOption();
 
     @Mixin
+    private final FrameOption frame = new FrameOption();
+
+    @Mixin
     private final WorkOptions work = new WorkOptions();
 
     @Mixin
@@ -87,7 +90,7 @@ final class RenderCommand implements PlainCommand {
 
     @Override
     public List<OptionGroup> options() {
-        return List.of(target, picture, stage, work, keep, outside, others);
+        return List.of(target, picture, stage, frame, work, keep, outside, others);
     }
 
     @Override
@@ -114,7 +117,7 @@ final class RenderCommand implements PlainCommand {
         OutputName.refuseSceneNames(output);
         Path kept = keep.file(output);
         long begin = System.nanoTime();
-        SceneFile read = SceneArgument.read(scene, main.in(), work.warnings(main.err()), outside.reach());
+        SceneFile read = frame.of(SceneArgument.read(scene, main.in(), work.warnings(main.err()), outside.reach()), scene);
         readSeconds = Progress.seconds(begin, System.nanoTime());
         OutputName.refuseNamed(output, scene, read);
         Renderer renderer = renderer(request, read.scene());

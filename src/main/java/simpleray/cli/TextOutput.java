@@ -1,5 +1,6 @@
 package simpleray.cli;
 
+import java.io.File;
 import java.io.IOException;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
@@ -10,6 +11,8 @@ import java.util.function.Consumer;
 import simpleray.io.AtomicFile;
 import simpleray.io.FileInUseException;
 import simpleray.io.OutputTarget;
+import simpleray.scene.Mesh;
+import simpleray.scene.Scene;
 import simpleray.text.SceneWriter;
 
 /** Writes text to a file or to standard output. */
@@ -47,6 +50,31 @@ final class TextOutput {
         } catch (IOException e) {
             throw new CommandException(ExitCode.WRITE_ERROR, "simpleray: " + name + ": cannot be written: " + e.getMessage());
         }
+    }
+
+    /**
+     * Writes a scene, whole or not at all. Its OBJ files stay where they are, and so its meshes may get other names for them.
+     *
+     * @param name a path, or - for standard output
+     * @param from the name of the scene in whose folder the OBJ files are now
+     * @throws CommandException if the output cannot be created or written
+     */
+    static void writeScene(Main main, String name, Scene scene, String from) throws CommandException {
+        boolean leaves = false;
+        for (int i = 0; i < scene.getNumberObjects(); i++) {
+            if (scene.getObject(i) instanceof Mesh mesh) {    // its file's name is relative to the scene's folder, which may be another
+                mesh.file = folder(name).relativize(folder(from).resolve(mesh.file)).toString().replace(File.separatorChar, '/');
+                leaves |= mesh.file.startsWith("../") || Path.of(mesh.file).isAbsolute();
+            }
+        }
+        write(main, name, scene::write);
+        if (leaves) {
+            main.err().println(name + ": warning: names OBJ files outside its folder: " + OutsideOption.NAME + " allows them");
+        }
+    }
+
+    private static Path folder(String scene) {
+        return (scene.equals(SceneArgument.STREAM) ? Path.of("") : Path.of(scene).resolveSibling("")).toAbsolutePath().normalize();
     }
 
     /**

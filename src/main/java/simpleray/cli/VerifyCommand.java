@@ -44,6 +44,9 @@ final class VerifyCommand implements Callable<Integer> {
     private String scene;
 
     @Mixin
+    private FrameOption frame;
+
+    @Mixin
     private WorkOptions work;
 
     @Mixin
@@ -59,9 +62,9 @@ final class VerifyCommand implements Callable<Integer> {
         try {
             PictureScene told = told();
             RenderRequest request = Provenance.request(told, work.accel(), work.threads());
-            SceneFile file = scene != null || piped == null
-                ? SceneArgument.read(scene == null ? picture : scene, main.in(), null, outside.reach())
-                : SceneArgument.read(SceneArgument.STREAM, new ByteArrayInputStream(piped), null, outside.reach());
+            String name = scene != null ? scene : piped == null ? picture : SceneArgument.STREAM;
+            SceneFile file = frame.of(SceneArgument.read(name, scene == null && piped != null ? new ByteArrayInputStream(piped) : main.in(), null,
+                outside.reach()), name);
             requireSame(told, file);
             return compare(renderer(request, file), told);
         } catch (PictureFormatException e) {

@@ -74,13 +74,14 @@ public record RenderRequest(SceneSettings settings, Stage stage, boolean adaptiv
     }
 
     /**
-     * Applies what was asked for to a scene.
+     * Applies what was asked for to a scene, or to the first frame of a film.
      *
      * @param scene the scene, which stays as it is
      * @return the scene with what was asked for over its own settings
      */
     public Scene applyTo(Scene scene) {
-        return scene.with(scene.settings.under(settings));
+        Scene still = scene.settings.frames == null ? scene : scene.still(0);
+        return still.with(still.settings.under(settings));
     }
 
     /**

@@ -14,6 +14,7 @@ import simpleray.math.Point;
 import simpleray.math.Ray;
 import simpleray.math.Vector;
 import simpleray.scene.Camera;
+import simpleray.scene.Film;
 import simpleray.scene.Integrator;
 import simpleray.scene.Interaction;
 import simpleray.scene.Intersector;
@@ -34,7 +35,8 @@ import simpleray.trace.CompiledScene;
 
 /**
  * Finds likely mistakes in a scene: objects and lights that do not affect the picture, an eye inside an object, clipped colours, planes that
- * may lie elsewhere than intended. It traces some thousand rays from the eye, the same each time; its warnings hold for these rays.
+ * may lie elsewhere than intended, keys of a film that do nothing. It traces some thousand rays from the eye, the same each time; its warnings
+ * hold for these rays. Of a film it looks at the first frame, and at others for what that does not show.
  * <em>Mutable</em>, for one thread.
  */
 public final class SceneLint {
@@ -55,12 +57,18 @@ public final class SceneLint {
     private static final int MAX_UNSEEN = 10;
     /** The number of pairs of objects that overlap in a plane that get a warning each. */
     private static final int MAX_OVERLAPS = 10;
+    /** The most frames of a film that are traced, and those of a scene of many objects. */
+    private static final int MAX_FRAMES = 40;
+    private static final int MAX_FRAMES_OF_MANY = 5;
+    /** The number of keys that do nothing that get a warning each. */
+    private static final int MAX_IDLE = 10;
     /** The most crossings of an object's surface that are counted to find whether the eye is inside. */
     private static final int MAX_CROSSINGS = 1000;
     /** Two directions that are unlikely to run along a surface. */
     private static final List<Vector> ODD = List.of(new Vector(0.5391, 0.3175, 0.7801), new Vector(-0.2713, -0.8527, 0.4463));
 
     private final SceneFile file;
+    private final Film film;
     private final Scene scene;
     private final String name;
     private final Camera camera;
@@ -68,6 +76,7 @@ public final class SceneLint {
     private final Seen seen = new Seen();
     private List<Bounds> bending;
     private int rays;
+    private int frames;
     private int clipped;
     private double brightest = WHITE;
     private int brightestObject;
@@ -76,7 +85,8 @@ public final class SceneLint {
     private SceneLint(SceneFile file, String name) {
         this.file = file;
         this.name = name;
-        scene = file.scene();
+        film = file.scene().film();
+        scene = film.still(0);
         camera = scene.settings.newCamera();
     }
 
@@ -129,9 +139,11 @@ public final class SceneLint {
     private List<Diagnostic> find(double tolerated) {
         warnOfOverlaps(tolerated == 0);
         trace();
+        int raysOfFirst = rays;
+        traceOthers();
         for (int i = seen.lights.nextClearBit(0); i < scene.getNumberLights(); i = seen.lights.nextClearBit(i + 1)) {
-            warn(file.lineOfLight(i), "light " + (i + 1) + (scene.getLight(i).intensity.isBlack() ? " is black"
-                : " reaches nothing of what " + rays + " rays saw"));
+            warn(file.lineOfLight(i), "light " + (i + 1) + (frames == 1 && scene.getLight(i).intensity.isBlack() ? " is black"
+                : " reaches nothing of what " + rays() + " saw"));
         }
         Point eye = camera.eye();
         for (int i = 0; i < scene.getNumberObjects(); i++) {
@@ -144,9 +156,10 @@ public final class SceneLint {
             }
         }
         warnOfUnseen();
-        if (clipped > tolerated * rays) {
-            warn(file.lineOfObject(brightestObject), "the picture is clipped where it is brighter than 1: " + clipped + " of " + rays
-                + " rays saw such colours, the brightest " + brightestPixel);
+        warnOfIdleKeys();
+        if (clipped > tolerated * raysOfFirst) {
+            warn(file.lineOfObject(brightestObject), "the picture is clipped where it is brighter than 1: " + clipped + " of "
+                + raysOfFirst + " rays saw such colours, the brightest " + brightestPixel);
         }
         problems.sort(Comparator.comparingInt(Diagnostic::line));
         return problems;
@@ -154,7 +167,7 @@ public final class SceneLint {
 
     private void warnOfUnseen() {
         int unseen = scene.getNumberObjects() - seen.objects.cardinality();
-        String what = " not seen by any of " + rays + " rays";
+        String what = " not seen by any of " + rays();
         int i = seen.objects.nextClearBit(0);
         if (unseen > MAX_UNSEEN) {
             warn(file.lineOfObject(i), "object " + (i + 1) + " and " + (unseen - 1) + " others were" + what);
@@ -162,6 +175,20 @@ public final class SceneLint {
         }
         for (; i < scene.getNumberObjects(); i = seen.objects.nextClearBit(i + 1)) {
             warn(file.lineOfObject(i), "object " + (i + 1) + " was" + what);
+        }
+    }
+
+    private String rays() {
+        return rays + " rays" + (frames > 1 ? " in " + (frames == film.frames() ? "all " + frames : frames + " of " + film.frames()) + " frames" : "");
+    }
+
+    private void warnOfIdleKeys() {
+        List<Film.Idle> idle = film.idle();
+        for (Film.Idle one : idle.subList(0, Math.min(MAX_IDLE, idle.size()))) {
+            warn(file.lineOfKey(one.key()), one.message());
+        }
+        if (idle.size() > MAX_IDLE) {
+            warn(file.lineOfKey(idle.get(MAX_IDLE).key()), idle.size() - MAX_IDLE + " more keys do nothing");
         }
     }
 
@@ -264,27 +291,54 @@ public final class SceneLint {
     }
 
     private void trace() {
-        RayStats uncounted = new RayStats();
-        Intersector intersector = new CompiledScene(scene, camera.eye(), 1, (long) SIDES[0] * SIDES[0]).intersector(uncounted);
-        Integrator integrator = new WhittedIntegrator(scene, intersector, Terms.ALL, uncounted, seen);
-        int depth = Math.min(MAX_REFLECTIONS, Setting.DEPTH.in(scene.settings));
-        Colour colour = new Colour();
+        Integrator integrator = integrator(scene, camera);
         for (int side : SIDES) {
-            for (int j = 0; j < side; j++) {
-                for (int i = 0; i < side; i++) {
-                    double px = (i + 0.5) / side * camera.width();
-                    double py = (j + 0.5) / side * camera.height();
-                    seen.first = -1;
-                    if (integrator.trace(camera.through(px, py), colour, depth)) {
-                        noteBrightness(colour, (int) px, (int) py);
-                    }
-                }
-            }
-            rays += side * side;
-            if (seen.objects.cardinality() == scene.getNumberObjects() && seen.lights.cardinality() == scene.getNumberLights()) {
-                return;
+            if (!isAllSeen()) {
+                trace(integrator, camera, side, true);
             }
         }
+        frames = 1;
+    }
+
+    /** Looks for what was not seen in frames that are spread evenly over the film; the last one of them is the film's. */
+    private void traceOthers() {
+        int parts = 0;
+        for (int i = 0; i < scene.getNumberObjects() && parts <= MAX_OBJECTS; i++) {
+            parts += scene.getObject(i).parts();
+        }
+        int count = Math.min(film.frames(), parts > MAX_OBJECTS ? MAX_FRAMES_OF_MANY : MAX_FRAMES);
+        for (int i = 1; i < count && !isAllSeen(); i++) {
+            Scene still = film.still(Math.round((film.frames() - 1.0) * i / (count - 1)));
+            Camera moved = still.settings.newCamera();
+            trace(integrator(still, moved), moved, SIDES[0], false);
+            frames++;
+        }
+    }
+
+    private boolean isAllSeen() {
+        return seen.objects.cardinality() == scene.getNumberObjects() && seen.lights.cardinality() == scene.getNumberLights();
+    }
+
+    private Integrator integrator(Scene still, Camera eye) {
+        RayStats uncounted = new RayStats();
+        Intersector intersector = new CompiledScene(still, eye.eye(), 1, (long) SIDES[0] * SIDES[0]).intersector(uncounted);
+        return new WhittedIntegrator(still, intersector, Terms.ALL, uncounted, seen);
+    }
+
+    private void trace(Integrator integrator, Camera eye, int side, boolean bright) {
+        int depth = Math.min(MAX_REFLECTIONS, Setting.DEPTH.in(scene.settings));
+        Colour colour = new Colour();
+        for (int j = 0; j < side; j++) {
+            for (int i = 0; i < side; i++) {
+                double px = (i + 0.5) / side * eye.width();
+                double py = (j + 0.5) / side * eye.height();
+                seen.first = -1;
+                if (integrator.trace(eye.through(px, py), colour, depth) && bright) {
+                    noteBrightness(colour, (int) px, (int) py);
+                }
+            }
+        }
+        rays += side * side;
     }
 
     private void noteBrightness(Colour colour, int x, int y) {

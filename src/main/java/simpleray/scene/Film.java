@@ -37,6 +37,15 @@ public final class Film {
     record Fault(int key, String wanted, String found) {
     }
 
+    /**
+     * Keys without which the film is the same.
+     *
+     * @param key the index of the first of them among the scene's keys
+     * @param message what is told of them
+     */
+    public record Idle(int key, String message) {
+    }
+
     /** Prepares the film of a scene. */
     Film(Scene scene) {
         this.scene = scene;
@@ -140,10 +149,47 @@ public final class Film {
             found.toString());
     }
 
+    /** {@return the keys without which the film is the same} */
+    public List<Idle> idle() {
+        List<Idle> idle = new ArrayList<>();
+        for (Track track : tracks) {
+            String same = asInTheFile(track);
+            if (same != null) {
+                boolean one = track.size() == 1;
+                idle.add(new Idle(track.firstPlace(), "the " + (one ? "key" : track.size() + " keys") + " of " + track.thing
+                    + (one ? " does nothing: " : " do nothing: ") + same));
+                continue;
+            }
+            for (int place : track.idle(curve)) {
+                idle.add(new Idle(place, "the key of " + track.thing + " for frame " + text(scene.settings.keys.get(place).frame())
+                    + " does nothing: without it the film is the same"));
+            }
+        }
+        return idle;
+    }
+
+    /** {@return what a thing that is always as in the file is; null if it is not always so} */
+    private String asInTheFile(Track track) {
+        int i = track.thing.number() - 1;
+        return switch (track.thing.kind()) {
+            case CAMERA -> {
+                PerspectiveCamera.Pose pose = scene.settings.camera;
+                yield pose != null && track.isAlways(pose.ex(), pose.ey(), pose.ez(), pose.lx(), pose.ly(), pose.lz(), pose.fov())
+                    ? "it is the file's camera" : null;
+            }
+            case COLOUR -> {
+                Colour colour = scene.getLight(i).intensity;
+                yield track.isAlways(colour.r, colour.g, colour.b) ? "it is the light's own" : null;
+            }
+            default -> track.isAlways(0, 0, 0) ? "it stays where the file puts it" : null;
+        };
+    }
+
     /** Finds the first frame at which each thing has values that no scene may have. Frames between keys that bounds clear are not computed. */
     List<Fault> faults() {
         List<Fault> faults = new ArrayList<>();
         Scene scratch = scene.copy();
+        scratch.settings = new SceneSettings();
         for (Track track : tracks) {
             Fault fault = firstFault(track, scratch);
             if (fault != null) {

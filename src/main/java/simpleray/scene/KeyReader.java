@@ -80,7 +80,7 @@ final class KeyReader {
         Kind kind = Kind.valueOf(word.toUpperCase(Locale.ROOT));
         Thing thing = new Thing(kind, kind == Kind.CAMERA ? 0 : readNumber(is, kind));
         if (kind == Kind.CAMERA && noCamera) {
-            is.reject(SceneSettings.EITHER);
+            is.reject("camera without the settings of another one");
         }
         camera |= kind == Kind.CAMERA;
         if (!seen.add(new At(frame, thing)) && !Double.isNaN(frame)) {

@@ -166,6 +166,28 @@ public record SceneFile(Scene scene, List<Diagnostic> warnings, SourceText text)
         return new SceneFile(scene.with(settings), warnings, text);
     }
 
+    /**
+     * Finds where a key is in the file.
+     *
+     * @param i its index among the scene's keys
+     * @return its line, from 1; 0 if it is not known
+     */
+    public int lineOfKey(int i) {
+        return scene.settings.keyLines.get(i);
+    }
+
+    /**
+     * Returns a frame of a film as if it were a file of its own, with the text that {@link Scene#write} gives it.
+     *
+     * @param frame the frame, from 0 to the film's last; need not be whole
+     * @return the file of {@link Scene#still the frame's scene}; this file if it is no film
+     * @throws IllegalArgumentException if there is no such frame, or it has values that no scene may have
+     */
+    public SceneFile still(double frame) {
+        Scene still = scene.still(frame);
+        return still == scene ? this : new SceneFile(still, warnings, text == null ? null : text.of(still));
+    }
+
     private static SceneFile read(InputStream in, String name, Path folder, Reach reach) throws IOException {
         return read(in, PictureText.LONGEST, name, folder, reach);
     }

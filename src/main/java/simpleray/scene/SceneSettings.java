@@ -26,8 +26,6 @@ public final class SceneSettings {
     public static final int DEFAULT_DEPTH = 10;
     /** The most samples of a pixel, along each side. */
     public static final int MAX_SAMPLES = 16;
-    /** What a camera and other settings exclude, for messages. */
-    static final String EITHER = "either a camera, or a window and a cop";
 
     /** The colour of a ray that hits nothing. */
     public Colour background;
@@ -201,7 +199,7 @@ public final class SceneSettings {
                 is.reject("keyword " + word + " only once");
             }
             if (isExcluded(setting) || keys != null && KeyReader.of(is).hasCamera() && setting.excludes(Setting.CAMERA)) {
-                is.reject(EITHER);
+                is.reject("either a camera, or a window and a cop");
             }
             if (setting == Setting.KEY) {
                 KeyReader.of(is).begin(objects, lights, isExcluded(Setting.CAMERA));

@@ -1,9 +1,17 @@
 package simpleray.scene;
 
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.io.UncheckedIOException;
 import java.nio.file.Path;
+import java.security.DigestOutputStream;
+import java.security.MessageDigest;
 import java.util.List;
+import simpleray.image.PictureText;
 import simpleray.io.OutputTarget;
 import simpleray.io.Sha256;
+import simpleray.text.SceneWriter;
 
 /**
  * The text from which a scene was read. <em>Constant.</em>
@@ -18,6 +26,39 @@ public record SourceText(String name, String sha256, byte[] bytes, List<MeshFile
     @Override
     public String sha256() {
         return sha256 == null ? Sha256.of(bytes) : sha256;
+    }
+
+    /** {@return the text of another scene of the same files, under the same name} */
+    SourceText of(Scene scene) {
+        MessageDigest digest = Sha256.begin();
+        Start start = new Start();
+        try {
+            SceneWriter os = new SceneWriter(new DigestOutputStream(start, digest));
+            scene.write(os);
+            os.flush();
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);                // does not happen in memory
+        }
+        return new SourceText(name, Sha256.hex(digest.digest()), start.isWhole ? start.bytes.toByteArray() : null, meshes);
+    }
+
+    /** Keeps what is written, unless it is too long. */
+    private static final class Start extends OutputStream {
+        final ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        boolean isWhole = true;
+
+        @Override
+        public void write(int b) {
+            write(new byte[] {(byte) b}, 0, 1);
+        }
+
+        @Override
+        public void write(byte[] b, int off, int len) {
+            isWhole &= len <= PictureText.LONGEST - bytes.size();
+            if (isWhole) {
+                bytes.write(b, off, len);
+            }
+        }
     }
 
     /**

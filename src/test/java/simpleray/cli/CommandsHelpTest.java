@@ -23,8 +23,8 @@ import simpleray.Project;
 /** {@code --help}, {@code help} and {@code --version}: asked for, so on standard output and with exit code 0. */
 class CommandsHelpTest {
     private static final int TERMINAL = 80;
-    private static final List<String> COMMANDS = List.of("view", "render", "figures", "explain", "print", "check", "convert", "export",
-        "verify", "compare", "bench", "generate-completion");
+    private static final List<String> COMMANDS = List.of("view", "render", "figures", "explain", "print", "check", "convert", "still",
+        "export", "verify", "compare", "bench", "generate-completion");
     private static final String PICTURE_OPTIONS = "--size --depth --samples --cop --window --camera --background --allow-outside";
 
     @TempDir
@@ -68,7 +68,7 @@ class CommandsHelpTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"view", "render", "figures", "explain", "print", "check", "convert", "export", "verify", "compare", "bench",
+    @ValueSource(strings = {"view", "render", "figures", "explain", "print", "check", "convert", "still", "export", "verify", "compare", "bench",
         "generate-completion"})
     void aCommandHasAHelpOfItsOwn(String command) {
         assertThat(text(command, "--help")).startsWith("Usage: simpleray " + command + " ");
@@ -77,8 +77,8 @@ class CommandsHelpTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"view, --look", "render, -o --region --threads --accel --progress --stats -q --checkpoint --resume --restart",
-        "figures, -d --sweep --threads --accel --progress -q", "explain, --pixel --format --stage --accel -q"})
+    @CsvSource({"view, --look", "render, -o --frame --region --threads --accel --progress --stats -q --checkpoint --resume --restart",
+        "figures, -d --frame --sweep --threads --accel --progress -q", "explain, --frame --pixel --format --stage --accel -q"})
     void theHelpTellsEveryOptionOfACommandThatRenders(String command, String options) {
         String help = text(command, "--help");
 

@@ -34,13 +34,13 @@ class EveryOutputTest {
 
     /** {@return all that writes one file} In a line @ stands for the folder of what is read. */
     static List<String> files() {
-        return List.of("render @ball.scene --progress plain -o", "convert @ball.scene", "export --pov @ball.scene -o",
+        return List.of("render @ball.scene --progress plain -o", "convert @ball.scene", "still @ball.scene -o", "export --pov @ball.scene -o",
             "compare @one.png @other.png --heatmap", "explain @ball.scene --pixel 5,5 -q --draw-size 9x9 --draw");
     }
 
     /** {@return all that writes to standard output} */
     static List<String> streams() {
-        return List.of("render @ball.scene -q -o -", "render @ball.scene -q --stats text -o @stats.png", "convert @ball.scene -",
+        return List.of("render @ball.scene -q -o -", "render @ball.scene -q --stats text -o @stats.png", "convert @ball.scene -", "still @ball.scene -o -",
             "export --pov @ball.scene -o -", "print @ball.scene", "check @ball.scene", "check --errors json @ball.scene",
             "explain @ball.scene --pixel 5,5", "explain @ball.scene --pixel 5,5 --format json", "compare @one.png @other.png",
             "compare @one.png @other.png --format json", "verify @one.png -q", "bench --quick", "generate-completion", "help", "help render",

@@ -60,7 +60,7 @@ class OutputNameTest {
 
     /** {@return the commands that write something else than a scene; that of a scene may be that scene itself} */
     static List<String> commands() {
-        return List.of("render @tetra.scene --progress plain -o", "export --pov @tetra.scene -o");
+        return List.of("render @tetra.scene --progress plain -o", "export --pov @tetra.scene -o", "still @tetra.scene -o");
     }
 
     @ParameterizedTest

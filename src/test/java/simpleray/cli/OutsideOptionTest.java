@@ -27,7 +27,7 @@ class OutsideOptionTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"render SCENE -q --size 4x4 -o mine/a.png", "figures SCENE -q --size 4x4 -d mine", "print SCENE", "check SCENE",
-        "convert SCENE mine/b.scene", "explain SCENE -q --size 4x4 --pixel 0,0", "export SCENE --pov -o mine/a.pov"})
+        "convert SCENE mine/b.scene", "still SCENE -o mine/b.scene", "explain SCENE -q --size 4x4 --pixel 0,0", "export SCENE --pov -o mine/a.pov"})
     void aFileOutsideIsRefusedWithoutItAndReadWithIt(String line) {
         String[] args = line.replace("mine/", scene.getParent() + "/").replace("SCENE", scene.toString()).split(" ");
         if (line.endsWith("-d mine")) {

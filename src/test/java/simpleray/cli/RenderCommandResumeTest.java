@@ -62,6 +62,7 @@ class RenderCommandResumeTest {
         asked.resolution = new Resolution(SIDE, SIDE);
         RenderRequest request = new RenderRequest(asked, Stage.FINAL, adaptive, 1).with(region);
         Scene read = SceneFile.read(scene).scene();
+        read = read.settings.frames == null ? read : read.still(1);
         Picture picture = request.renderer(read).picture();
         Map<String, String> identity = PictureIdentity.of(Main.version(), request, read);
         try (Checkpoint checkpoint = Checkpoint.create(file, identity, picture.width(), picture.height())) {
@@ -129,6 +130,18 @@ class RenderCommandResumeTest {
 
         assertFails(render(Stream.concat(Stream.of("--resume"), Arrays.stream(option.split(" "))).toArray(String[]::new)),
             ExitCode.BAD_SCENE, part + " holds rows of another picture: " + difference + " (--restart discards them)");
+    }
+
+    @Test
+    void theRowsOfAFrameAreThoseOfThatFrameAlone() throws IOException {
+        Files.writeString(scene, Files.readString(scene) + "\nframes 3 25\nkey 0 object 1 0 0 0\nkey 2 object 1 0.5 0 0\n");
+        byte[] expected = unbroken("--frame", "1");
+        keep(part, false, levels(expected), IntStream.range(0, 20));
+
+        assertFails(render("--resume", "--frame", "2"), ExitCode.BAD_SCENE, part + " holds rows of another picture: another scene (--restart discards them)");
+        assertFails(render("--resume"), ExitCode.BAD_SCENE, part + " holds rows of another picture: another scene (--restart discards them)");
+        assertThat(render("--resume", "--frame", "1").err()).startsWith("simpleray: going on with 20 of 40 rows, kept in " + part + "\n");
+        assertThat(Files.readAllBytes(out)).isEqualTo(expected);
     }
 
     @Test

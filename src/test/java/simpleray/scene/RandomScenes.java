@@ -1,5 +1,7 @@
 package simpleray.scene;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Random;
 import simpleray.math.Colour;
 import simpleray.math.Point;
@@ -25,6 +27,9 @@ final class RandomScenes {
         }
         Scenes.light(scene, lights);
         scene.settings = settings(random);
+        if (random.nextBoolean()) {
+            film(random, scene);
+        }
         return scene;
     }
 
@@ -67,6 +72,31 @@ final class RandomScenes {
         settings.depth = maybe(random, random.nextInt(SceneSettings.MAX_DEPTH + 1));
         settings.samples = maybe(random, 1 + random.nextInt(SceneSettings.MAX_SAMPLES));
         return settings;
+    }
+
+    /** Puts a scene in motion. The curve is linear, so that all frames are between the keys. */
+    private static void film(Random random, Scene scene) {
+        SceneSettings settings = scene.settings;
+        settings.frames = new SceneSettings.Frames(2 + random.nextInt(Film.MAX_FRAMES - 1), Math.min(Film.MAX_RATE, above(random)));
+        settings.curve = Curve.LINEAR;
+        settings.keys = new ArrayList<>();
+        for (double frame : new double[] {random.nextDouble(), 1, 0}) {
+            if (scene.getNumberLights() > 0) {
+                settings.keys.add(key(frame, Key.Kind.COLOUR, scene.getNumberLights(), random.nextDouble(), random.nextDouble(), 1e100));
+            }
+            if (scene.getNumberObjects() > 0 && !(scene.getObject(0) instanceof Plane)) {
+                settings.keys.add(key(frame, Key.Kind.OBJECT, 1, random.nextGaussian(), 1.0 + random.nextInt(9), -0.0));
+            }
+            if (settings.cop == null && settings.window == null) {
+                settings.keys.add(key(frame, Key.Kind.CAMERA, 0, random.nextGaussian(), 1.0, 1e100, 0.1, 2.0, random.nextGaussian(),
+                    Math.nextUp(random.nextDouble() * 179)));
+            }
+        }
+        settings.keys = settings.keys.isEmpty() ? null : settings.keys;
+    }
+
+    private static Key key(double frame, Key.Kind kind, int number, Double... values) {
+        return new Key(frame, new Key.Thing(kind, number), List.of(values));
     }
 
     private static <T> T maybe(Random random, T thing) {

@@ -1,10 +1,15 @@
 package simpleray.ui.editor;
 
+import java.util.Arrays;
 import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import javax.swing.text.Segment;
 import org.fife.ui.rsyntaxtextarea.Token;
 import org.fife.ui.rsyntaxtextarea.TokenMakerBase;
 import org.fife.ui.rsyntaxtextarea.TokenTypes;
+import simpleray.scene.Curve;
+import simpleray.scene.Key;
 import simpleray.scene.Setting;
 import simpleray.text.NumberParser;
 
@@ -12,6 +17,9 @@ import simpleray.text.NumberParser;
 final class SceneTokens extends TokenMakerBase {
     /** The keywords of materials, beside those of settings. */
     private static final Set<String> OF_MATERIAL = Set.of("mirror", "transmit", "mtl");
+    /** The words behind the keywords of a film; a line that begins with one is a heading. */
+    private static final Set<String> OF_FILM =
+        Stream.concat(Arrays.stream(Key.Kind.values()), Arrays.stream(Curve.values())).map(Enum::toString).collect(Collectors.toSet());
     private static final char COMMENT = '#';
     private static final char QUOTE = '"';
 
@@ -37,7 +45,7 @@ final class SceneTokens extends TokenMakerBase {
             } else {
                 at = wordEnd(line, at, end);
                 String word = new String(line.array, from, at - from);
-                type = type(word);
+                type = !first && OF_FILM.contains(word) ? TokenTypes.RESERVED_WORD : type(word);
                 if (first && type == TokenTypes.ERROR_IDENTIFIER && isHeading(word)) {
                     at = end;
                     type = TokenTypes.COMMENT_DOCUMENTATION;

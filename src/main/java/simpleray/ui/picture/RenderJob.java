@@ -300,7 +300,7 @@ public final class RenderJob {
         RenderJob last = before;
         before = null;                                        // else each would keep all before it
         if (last == null) {
-            SceneFile file = source.read();
+            SceneFile file = source.read().still(0);
             LoadedScene loaded = new LoadedScene(file, new PreparedScene(file.scene()));
             latest.set(new Snapshot(State.READING, loaded, null, SceneReport.of(file.warnings()), "", 0));
             return loaded;

@@ -41,6 +41,18 @@ class SceneTokensTest {
     }
 
     @Test
+    void theWordsBehindTheKeywordsOfAFilmAreMarkedThereAlone() {
+        assertThat(tokens("key 1 object 2 0 0 1")).startsWith("keyword key", "number 1", "keyword object", "number 2");
+        assertThat(tokens("key 1 light 2")).contains("keyword light");
+        assertThat(tokens("key 1 colour 2")).contains("keyword colour");
+        assertThat(tokens("key 1 camera 2")).contains("keyword camera");
+        assertThat(tokens("curve linear")).containsExactly("keyword curve", "keyword linear");
+        assertThat(tokens("curve smooth")).containsExactly("keyword curve", "keyword smooth");
+        assertThat(tokens("curve curly")).containsExactly("keyword curve", "bad curly");
+        assertThat(tokens("object 1 is red")).containsExactly("heading object 1 is red");
+    }
+
+    @Test
     void aLineThatBeginsWithALetterIsAHeading() {
         assertThat(tokens("LEFT WALL 1 # and all")).containsExactly("heading LEFT WALL 1 # and all");
         assertThat(tokens("transmitt 1 1 1")).containsExactly("heading transmitt 1 1 1");
