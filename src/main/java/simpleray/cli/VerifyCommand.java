@@ -63,8 +63,8 @@ final class VerifyCommand implements Callable<Integer> {
             PictureScene told = told();
             RenderRequest request = Provenance.request(told, work.accel(), work.threads());
             String name = scene != null ? scene : piped == null ? picture : SceneArgument.STREAM;
-            SceneFile file = frame.of(SceneArgument.read(name, scene == null && piped != null ? new ByteArrayInputStream(piped) : main.in(), null,
-                outside.reach()), name);
+            InputStream in = scene == null && piped != null ? new ByteArrayInputStream(piped) : main.in();
+            SceneFile file = frame.of(SceneArgument.read(name, in, null, outside.reach()), name);
             requireSame(told, file);
             return compare(renderer(request, file), told);
         } catch (PictureFormatException e) {

@@ -57,9 +57,9 @@ public final class SceneLint {
     private static final int MAX_UNSEEN = 10;
     /** The number of pairs of objects that overlap in a plane that get a warning each. */
     private static final int MAX_OVERLAPS = 10;
-    /** The most frames of a film that are traced, and those of a scene of many objects. */
+    /** The most frames of a film that are traced; and those of a scene of many objects, or unasked. */
     private static final int MAX_FRAMES = 40;
-    private static final int MAX_FRAMES_OF_MANY = 5;
+    private static final int FEW_FRAMES = 5;
     /** The number of keys that do nothing that get a warning each. */
     private static final int MAX_IDLE = 10;
     /** The most crossings of an object's surface that are counted to find whether the eye is inside. */
@@ -125,7 +125,7 @@ public final class SceneLint {
 
     /**
      * Finds the likely mistakes that a user is told unasked: as {@link #all}, but bright colours only if they are more than highlights,
-     * overlapping surfaces only if they may be seen, and nothing about large scenes.
+     * overlapping surfaces only if they may be seen, and nothing about keys and large scenes.
      *
      * @param file the scene, which must not change meanwhile, with the settings of the picture
      * @param name the file's name in messages
@@ -140,7 +140,7 @@ public final class SceneLint {
         warnOfOverlaps(tolerated == 0);
         trace();
         int raysOfFirst = rays;
-        traceOthers();
+        traceOthers(tolerated == 0 ? MAX_FRAMES : FEW_FRAMES);
         for (int i = seen.lights.nextClearBit(0); i < scene.getNumberLights(); i = seen.lights.nextClearBit(i + 1)) {
             warn(file.lineOfLight(i), "light " + (i + 1) + (frames == 1 && scene.getLight(i).intensity.isBlack() ? " is black"
                 : " reaches nothing of what " + rays() + " saw"));
@@ -156,7 +156,9 @@ public final class SceneLint {
             }
         }
         warnOfUnseen();
-        warnOfIdleKeys();
+        if (tolerated == 0) {
+            warnOfIdleKeys();
+        }
         if (clipped > tolerated * raysOfFirst) {
             warn(file.lineOfObject(brightestObject), "the picture is clipped where it is brighter than 1: " + clipped + " of "
                 + raysOfFirst + " rays saw such colours, the brightest " + brightestPixel);
@@ -301,12 +303,12 @@ public final class SceneLint {
     }
 
     /** Looks for what was not seen in frames that are spread evenly over the film; the last one of them is the film's. */
-    private void traceOthers() {
+    private void traceOthers(int most) {
         int parts = 0;
         for (int i = 0; i < scene.getNumberObjects() && parts <= MAX_OBJECTS; i++) {
             parts += scene.getObject(i).parts();
         }
-        int count = Math.min(film.frames(), parts > MAX_OBJECTS ? MAX_FRAMES_OF_MANY : MAX_FRAMES);
+        int count = Math.min(film.frames(), parts > MAX_OBJECTS ? FEW_FRAMES : most);
         for (int i = 1; i < count && !isAllSeen(); i++) {
             Scene still = film.still(Math.round((film.frames() - 1.0) * i / (count - 1)));
             Camera moved = still.settings.newCamera();

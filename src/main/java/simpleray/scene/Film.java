@@ -220,7 +220,7 @@ public final class Film {
     }
 
     /** {@return whether all that a thing can be between a key and the next one is surely right} */
-    private boolean isClear(Track track, int key) {
+    boolean isClear(Track track, int key) {
         double[] low = new double[Key.Kind.CAMERA.channels];
         double[] high = new double[Key.Kind.CAMERA.channels];
         track.bounds(key, curve, low, high);

@@ -7,7 +7,6 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Set;
-import java.util.TreeSet;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 import simpleray.math.Colour;
@@ -21,7 +20,7 @@ import simpleray.text.SourceLocation;
 /** Reads the keys of one scene file, and checks the film that they make. <em>Mutable,</em> for one reading. */
 final class KeyReader {
     private static final Function<Class<?>, KeyReader> MAKER = type -> new KeyReader();
-    private static final Set<String> KINDS = Arrays.stream(Kind.values()).map(Kind::toString).collect(Collectors.toCollection(TreeSet::new));
+    private static final Set<String> KINDS = Arrays.stream(Kind.values()).map(Kind::toString).collect(Collectors.toSet());
 
     private final List<Key> keys = new ArrayList<>();
     private final LineTable lines = new LineTable();

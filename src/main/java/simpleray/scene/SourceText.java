@@ -30,8 +30,13 @@ public record SourceText(String name, String sha256, byte[] bytes, List<MeshFile
 
     /** {@return the text of another scene of the same files, under the same name} */
     SourceText of(Scene scene) {
+        return of(scene, PictureText.LONGEST);
+    }
+
+    /** {@return likewise, kept up to a length} */
+    SourceText of(Scene scene, int longest) {
         MessageDigest digest = Sha256.begin();
-        Start start = new Start();
+        Start start = new Start(longest);
         try {
             SceneWriter os = new SceneWriter(new DigestOutputStream(start, digest));
             scene.write(os);
@@ -45,18 +50,18 @@ public record SourceText(String name, String sha256, byte[] bytes, List<MeshFile
     /** Keeps what is written, unless it is too long. */
     private static final class Start extends OutputStream {
         final ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        final int longest;
         boolean isWhole = true;
 
-        @Override
-        public void write(int b) {
-            write(new byte[] {(byte) b}, 0, 1);
+        Start(int longest) {
+            this.longest = longest;
         }
 
         @Override
-        public void write(byte[] b, int off, int len) {
-            isWhole &= len <= PictureText.LONGEST - bytes.size();
+        public void write(int b) {
+            isWhole &= bytes.size() < longest;
             if (isWhole) {
-                bytes.write(b, off, len);
+                bytes.write(b);
             }
         }
     }

@@ -79,13 +79,15 @@ final class Track {
     void at(double frame, Curve curve, double[] out) {
         int key = before(frame);
         for (int c = 0; c < thing.kind().channels; c++) {
-            out[c] = key < 0 ? values[0][c] : key == frames.length - 1 || frames[key] == frame ? values[key][c] : between(key, frame, curve, c);
+            boolean still = key < 0 || key == frames.length - 1 || frames[key] == frame;
+            out[c] = still ? values[Math.max(0, key)][c] : between(key, frame, curve, c);
         }
     }
 
     private double between(int key, double frame, Curve curve, int c) {
         double length = frames[key + 1] - frames[key];
-        return curve.between((frame - frames[key]) / length, length, values[key][c], tangent(key, c), values[key + 1][c], tangent(key + 1, c));
+        double u = (frame - frames[key]) / length;
+        return curve.between(u, length, values[key][c], tangent(key, c), values[key + 1][c], tangent(key + 1, c));
     }
 
     /** {@return the tangent at a key, in values a frame} Catmull and Rom, "A class of local interpolating splines", 1974. */

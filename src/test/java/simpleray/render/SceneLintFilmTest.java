@@ -42,6 +42,15 @@ class SceneLintFilmTest {
             .containsExactly("a:3:1: warning: object 2 was not seen by any of 178240 rays in 40 of 1000000 frames");
     }
 
+    @Test
+    void unaskedFewerFramesAreTracedAndKeysAreNotLookedAt() throws IOException {
+        SceneFile film = SceneFile.parse(SCENE + "frames 9 25\nkey 0 object 2 0 0 0\nkey 1 object 2 0 0 0\nkey 3 object 1 0 0 0\n");
+
+        assertThat(SceneLint.striking(film, "a").stream().map(Diagnostic::toString))
+            .containsExactly("a:3:1: warning: object 2 was not seen by any of 34880 rays in 5 of 9 frames");
+        assertThat(SceneLint.all(film, "a")).hasSize(3);
+    }
+
     /** In a long film the first frame, the last one and 38 between are looked at. */
     @Test
     void theEndOfALongFilmIsLookedAt() throws IOException {

@@ -210,7 +210,7 @@ class KeyReaderTest {
 
         assertThat(errors(FILM + keys)).isEmpty();
         assertThat(errors(FILM + keys.replace("160", "179"))).hasSize(1).first().asString()
-            .startsWith("2:5 expected frame 2's camera with a field of view above 0 and below 180 degrees, found 0.0 0.0 5.0 0.0 0.0 0.0 180.");
+            .isEqualTo("2:5 expected frame 1's camera with a field of view above 0 and below 180 degrees, found 0.0 0.0 5.0 0.0 0.0 0.0 182.9609375");
         assertThat(errors(FILM + keys.replace("160", "1").replace(" 10", " 170"))).hasSize(1).first().asString()
             .startsWith("2:5 expected frame 1's camera with a field of view above 0 and below 180 degrees, found 0.0 0.0 5.0 0.0 0.0 0.0 -");
     }

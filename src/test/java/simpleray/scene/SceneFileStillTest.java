@@ -8,7 +8,6 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -72,17 +71,13 @@ class SceneFileStillTest {
     /** As of a file: the picture carries the digest alone. */
     @Test
     void aTextThatIsTooLongHasOnlyItsDigest() throws IOException {
-        String text = written(SceneFile.parse(FILM).still(0).scene()::write);
-        SourceText named = new SourceText("a", "", null, List.of());
-        int spare = PictureText.LONGEST - text.length();
-        int line = written(Scenes.of(SceneFile.parse(FILM).scene().getObject(0))::write).length() - written(new Scene()::write).length();
-        Object[] balls = new Object[spare / line + 2];
-        Arrays.fill(balls, SceneFile.parse(FILM).scene().getObject(0));
-        SourceText whole = named.of(Scenes.of(Arrays.copyOf(balls, 3)));
-        SourceText cut = named.of(Scenes.of(balls));
+        Scene scene = SceneFile.parse(FILM).still(0).scene();
+        String text = written(scene::write);
+        SourceText film = SceneFile.parse(FILM).text();
 
-        assertThat(whole.bytes()).isNotNull();
-        assertThat(cut.bytes()).isNull();
-        assertThat(cut.sha256()).isEqualTo(Sha256.of(written(Scenes.of(balls)::write).getBytes(StandardCharsets.UTF_8)));
+        assertThat(film.of(scene, text.length()).bytes()).asString(StandardCharsets.UTF_8).isEqualTo(text);
+        assertThat(film.of(scene, text.length() - 1).bytes()).isNull();
+        assertThat(film.of(scene, text.length() - 1).sha256()).isEqualTo(Sha256.of(text.getBytes(StandardCharsets.UTF_8)));
+        assertThat(film.of(scene)).extracting(SourceText::bytes).isEqualTo(film.of(scene, PictureText.LONGEST).bytes()).isNotNull();
     }
 }

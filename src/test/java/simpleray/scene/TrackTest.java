@@ -50,9 +50,9 @@ class TrackTest {
     void eachThingHasItsTrackInTheOrderOfTheFile() {
         Key.Thing lamp = new Key.Thing(Key.Kind.LIGHT, 1);
         List<Double> values = List.of(0.0, 0.0, 0.0);
+        List<Key> keys = List.of(new Key(1, lamp, values), new Key(0, BALL, values), new Key(0, lamp, values));
 
-        assertThat(Track.of(List.of(new Key(1, lamp, values), new Key(0, BALL, values), new Key(0, lamp, values)))).extracting(track -> track.thing)
-            .containsExactly(lamp, BALL);
+        assertThat(Track.of(keys)).extracting(track -> track.thing).containsExactly(lamp, BALL);
         assertThat(Track.of(List.of())).isEmpty();
     }
 

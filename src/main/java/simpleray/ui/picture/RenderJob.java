@@ -62,8 +62,8 @@ public final class RenderJob {
         }
     }
 
-    /** A scene that was read, and its structures. */
-    private record LoadedScene(SceneFile file, PreparedScene prepared) {
+    /** A scene that was read, the first frame of it if it is a film, and that frame's structures. */
+    private record LoadedScene(SceneFile film, SceneFile file, PreparedScene prepared) {
     }
 
     /** The renderer, its request and its start; renderer and image are null once they are dropped. */
@@ -277,7 +277,7 @@ public final class RenderJob {
             String failure = runs.failedRows().text();
             SceneReport findings = snapshot().findings;
             if (!checked && failure.isEmpty() && !cancelled) {
-                findings = SceneReport.ofWhole(loaded.file.with(snapshot().run.settings), source.name());
+                findings = SceneReport.ofWhole(loaded.film.with(loaded.film.scene().settings.under(request.settings())), source.name());
                 checked = true;
             }
             end(failure.isEmpty() ? State.FINISHED : State.FAILED, findings, failure, took);
@@ -300,8 +300,9 @@ public final class RenderJob {
         RenderJob last = before;
         before = null;                                        // else each would keep all before it
         if (last == null) {
-            SceneFile file = source.read().still(0);
-            LoadedScene loaded = new LoadedScene(file, new PreparedScene(file.scene()));
+            SceneFile film = source.read();
+            SceneFile file = film.still(0);
+            LoadedScene loaded = new LoadedScene(film, file, new PreparedScene(file.scene()));
             latest.set(new Snapshot(State.READING, loaded, null, SceneReport.of(file.warnings()), "", 0));
             return loaded;
         }
