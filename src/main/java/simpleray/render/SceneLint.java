@@ -310,7 +310,7 @@ public final class SceneLint {
         }
         int count = Math.min(film.frames(), parts > MAX_OBJECTS ? FEW_FRAMES : most);
         for (int i = 1; i < count && !isAllSeen(); i++) {
-            Scene still = film.still(Math.round((film.frames() - 1.0) * i / (count - 1)));
+            Scene still = film.still(Math.rint((film.frames() - 1.0) * i / (count - 1)));
             Camera moved = still.settings.newCamera();
             trace(integrator(still, moved), moved, SIDES[0], false);
             frames++;

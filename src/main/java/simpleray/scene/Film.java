@@ -282,6 +282,6 @@ public final class Film {
 
     /** {@return a frame's number; a whole one without a fraction} */
     static String text(double frame) {
-        return frame == Math.rint(frame) && Math.abs(frame) < Integer.MAX_VALUE ? Integer.toString((int) frame) : ShortestDecimal.of(frame);
+        return frame % 1 == 0 && Math.abs(frame) < Integer.MAX_VALUE ? Integer.toString((int) frame) : ShortestDecimal.of(frame);
     }
 }

@@ -7,7 +7,6 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Set;
-import java.util.function.Function;
 import java.util.stream.Collectors;
 import simpleray.math.Colour;
 import simpleray.scene.Key.Kind;
@@ -19,7 +18,6 @@ import simpleray.text.SourceLocation;
 
 /** Reads the keys of one scene file, and checks the film that they make. <em>Mutable,</em> for one reading. */
 final class KeyReader {
-    private static final Function<Class<?>, KeyReader> MAKER = type -> new KeyReader();
     private static final Set<String> KINDS = Arrays.stream(Kind.values()).map(Kind::toString).collect(Collectors.toSet());
 
     private final List<Key> keys = new ArrayList<>();
@@ -40,7 +38,7 @@ final class KeyReader {
 
     /** {@return the one of a scene file} */
     static KeyReader of(SceneReader is) {
-        return is.kept(KeyReader.class, MAKER);
+        return is.kept(KeyReader.class, type -> new KeyReader());
     }
 
     /**

@@ -72,15 +72,15 @@ final class Track {
     /** {@return the latest key at a frame or before; -1 if there is none} */
     int before(double frame) {
         int found = Arrays.binarySearch(frames, frame);
-        return found >= 0 ? found : -found - 2;
+        return found >= 0 ? found : -found - 2;               // else found is -1 - the place of the next one
     }
 
     /** Computes the value of each channel at a frame. */
     void at(double frame, Curve curve, double[] out) {
         int key = before(frame);
+        boolean constant = key < 0 || key == frames.length - 1 || frame - frames[key] == 0;
         for (int c = 0; c < thing.kind().channels; c++) {
-            boolean still = key < 0 || key == frames.length - 1 || frames[key] == frame;
-            out[c] = still ? values[Math.max(0, key)][c] : between(key, frame, curve, c);
+            out[c] = constant ? values[Math.max(0, key)][c] : between(key, frame, curve, c);
         }
     }
 
@@ -113,7 +113,7 @@ final class Track {
             later.stream().limit(NEIGHBOURS).forEach(around::add);
             Track without = new Track(this, around);
             around.add(before, key);
-            if (without.size() > 0 && new Track(this, around).equals(without, before, curve)) {
+            if (without.size() > 0 && new Track(this, around).isSame(without, before, curve)) {
                 idle.add(0, places[key]);
             } else {
                 later.addFirst(key);
@@ -123,7 +123,7 @@ final class Track {
     }
 
     /** {@return whether this is the same as another track, which lacks one of its keys} Only its neighbours depend on it. */
-    private boolean equals(Track without, int key, Curve curve) {
+    private boolean isSame(Track without, int key, Curve curve) {
         double[] one = new double[thing.kind().channels];
         double[] other = new double[thing.kind().channels];
         for (int i = Math.max(0, key - 2); i <= Math.min(frames.length - 1, key + 2); i++) {

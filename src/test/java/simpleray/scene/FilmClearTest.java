@@ -74,7 +74,8 @@ class FilmClearTest {
             assertThat(isClear(new Scene(), Curve.LINEAR, CAMERA, apart, through)).isFalse();
             double[] near = v(1, 1, 1, 1, 1, 1, 40);
             double gap = 1e-9 * 1000;
-            near[(axis + 1) % 3] = near[(axis + 1) % 3 + 3] = 1000;
+            near[(axis + 1) % 3] = 1000;
+            near[(axis + 1) % 3 + 3] = 1000;
             near[axis] = 0;
             near[axis + 3] = gap;
             assertThat(isClear(new Scene(), Curve.LINEAR, CAMERA, near, near)).isFalse();
@@ -150,7 +151,8 @@ class FilmClearTest {
 
     @Test
     void aFramesNumberHasNoFractionIfItIsWhole() {
-        assertThat(List.of(Film.text(0), Film.text(-0.0), Film.text(12), Film.text(-3), Film.text(2.5), Film.text(2147483646.0), Film.text(2147483647.0)))
-            .containsExactly("0", "0", "12", "-3", "2.5", "2147483646", "2.147483647E9");
+        double[] frames = {0, -0.0, 12, -3, 2.5, 2147483646.0, 2147483647.0};
+
+        assertThat(Arrays.stream(frames).mapToObj(Film::text)).containsExactly("0", "0", "12", "-3", "2.5", "2147483646", "2.147483647E9");
     }
 }

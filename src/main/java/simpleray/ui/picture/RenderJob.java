@@ -277,7 +277,8 @@ public final class RenderJob {
             String failure = runs.failedRows().text();
             SceneReport findings = snapshot().findings;
             if (!checked && failure.isEmpty() && !cancelled) {
-                findings = SceneReport.ofWhole(loaded.film.with(loaded.film.scene().settings.under(request.settings())), source.name());
+                SceneSettings all = loaded.film.scene().settings.under(request.settings());
+                findings = SceneReport.ofWhole(loaded.film.with(all), source.name());
                 checked = true;
             }
             end(failure.isEmpty() ? State.FINISHED : State.FAILED, findings, failure, took);
