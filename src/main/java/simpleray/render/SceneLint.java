@@ -4,9 +4,13 @@ import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.Comparator;
 import java.util.HashMap;
+import java.util.HashSet;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Set;
+import java.util.TreeSet;
 import java.util.stream.IntStream;
 import simpleray.math.Bounds;
 import simpleray.math.Colour;
@@ -18,6 +22,7 @@ import simpleray.scene.Film;
 import simpleray.scene.Integrator;
 import simpleray.scene.Interaction;
 import simpleray.scene.Intersector;
+import simpleray.scene.Key;
 import simpleray.scene.Material;
 import simpleray.scene.Mesh;
 import simpleray.scene.Object;
@@ -302,15 +307,42 @@ public final class SceneLint {
         frames = 1;
     }
 
-    /** Looks for what was not seen in frames that are spread evenly over the film; the last one of them is the film's. */
+    /** Looks for what was not seen in frames that are spread evenly over the film, the last one among them, and then near keys. */
     private void traceOthers(int most) {
         int parts = 0;
         for (int i = 0; i < scene.getNumberObjects() && parts <= MAX_OBJECTS; i++) {
             parts += scene.getObject(i).parts();
         }
         int count = Math.min(film.frames(), parts > MAX_OBJECTS ? FEW_FRAMES : most);
-        for (int i = 1; i < count && !isAllSeen(); i++) {
-            Scene still = film.still(Math.rint((film.frames() - 1.0) * i / (count - 1)));
+        Set<Double> traced = new HashSet<>(Set.of(0.0));
+        for (int i = 1; i < count; i++) {
+            traceFrame(Math.rint((film.frames() - 1.0) * i / (count - 1)), traced);
+        }
+        if (!isAllSeen()) {
+            nearKeysOfUnseen().stream().filter(frame -> !traced.contains(frame)).limit(count).forEach(frame -> traceFrame(frame, traced));
+        }
+    }
+
+    /** {@return the frames at the keys of objects that were not seen, and half-way between these} */
+    private Set<Double> nearKeysOfUnseen() {
+        TreeSet<Double> keys = new TreeSet<>();
+        for (Key key : file.scene().settings.keys == null ? List.<Key>of() : file.scene().settings.keys) {
+            if (key.thing().kind() == Key.Kind.OBJECT && !seen.objects.get(key.thing().number() - 1)) {
+                keys.add(Math.rint(key.frame()));
+            }
+        }
+        Set<Double> frames = new LinkedHashSet<>(keys);
+        for (double key : keys) {
+            Double next = keys.higher(key);
+            frames.add(next == null ? key : Math.rint((key + next) / 2));
+        }
+        return frames;
+    }
+
+    private void traceFrame(double frame, Set<Double> traced) {
+        if (!isAllSeen()) {
+            traced.add(frame);
+            Scene still = film.still(frame);
             Camera moved = still.settings.newCamera();
             trace(integrator(still, moved), moved, SIDES[0], false);
             frames++;

@@ -39,7 +39,7 @@ class SceneLintFilmTest {
         assertThat(warnings("frames 40 25\n" + keys)).containsExactly("a:3:1: warning: object 2 was not seen by any of 178240 rays in all 40 frames");
         assertThat(warnings("frames 41 25\n" + keys)).containsExactly("a:3:1: warning: object 2 was not seen by any of 178240 rays in 40 of 41 frames");
         assertThat(warnings("frames 1000000 25\n" + keys))
-            .containsExactly("a:3:1: warning: object 2 was not seen by any of 178240 rays in 40 of 1000000 frames");
+            .containsExactly("a:3:1: warning: object 2 was not seen by any of 182336 rays in 41 of 1000000 frames");
     }
 
     @Test
@@ -47,8 +47,19 @@ class SceneLintFilmTest {
         SceneFile film = SceneFile.parse(SCENE + "frames 9 25\nkey 0 object 2 0 0 0\nkey 1 object 2 0 0 0\nkey 3 object 1 0 0 0\n");
 
         assertThat(SceneLint.striking(film, "a").stream().map(Diagnostic::toString))
-            .containsExactly("a:3:1: warning: object 2 was not seen by any of 34880 rays in 5 of 9 frames");
+            .containsExactly("a:3:1: warning: object 2 was not seen by any of 38976 rays in 6 of 9 frames");
         assertThat(SceneLint.all(film, "a")).hasSize(3);
+    }
+
+    /** Of 1001 frames 487 and 513 are among the 40; the ball flies through the picture between, and comes at 501 nearest to the middle. */
+    @Test
+    void theFramesAtAnObjectsKeysAndHalfWayBetweenThemAreLookedAt() throws IOException {
+        String film = "frames 1001 25\ncurve linear\n";
+
+        assertThat(warnings(film + "key 500 object 2 0 0 0\nkey 501 object 2 0 0 -50\nkey 502 object 2 0 0 0")).isEmpty();
+        assertThat(warnings(film + "key 490 object 2 -40 0 -50\nkey 512 object 2 40 0 -50")).isEmpty();
+        assertThat(warnings(film + "key 490 object 2 -40 0 -50\nkey 491 object 2 -40 0 -50\nkey 511 object 2 -40 0 -50")).contains(
+            "a:3:1: warning: object 2 was not seen by any of 194624 rays in 44 of 1001 frames");
     }
 
     /** In a long film the first frame, the last one and 38 between are looked at. */
