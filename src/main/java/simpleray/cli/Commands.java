@@ -38,6 +38,7 @@ final class Commands {
         Map<String, Class<?>> alone = new LinkedHashMap<>();
         alone.put("view", ViewCommand.class);
         alone.put("render", RenderCommand.class);
+        alone.put("merge", MergeCommand.class);
         alone.put("figures", FiguresCommand.class);
         alone.put("explain", ExplainCommand.class);
         alone.put("print", PrintCommand.class);

@@ -18,6 +18,7 @@ import simpleray.image.PictureText;
 import simpleray.image.png.PngWriter;
 import simpleray.io.AtomicFile;
 import simpleray.io.OutputTarget;
+import simpleray.render.Band;
 import simpleray.render.PictureIdentity;
 import simpleray.render.Progress;
 import simpleray.render.Provenance;
@@ -74,8 +75,17 @@ final class RenderCommand implements PlainCommand {
             return Values.region(text);
         }
     });
+    private final CommandOption<Band> band = others.add(new CommandOption<>(null, "I/N",
+        "Only band I, from 1 on, of the N bands of rows into which the picture, or the region, is cut; simpleray merge makes the "
+            + "picture of all its bands.", "--band") {
+        @Override
+        Band parse(String text) {
+            return Band.parse(text);
+        }
+    });
 
     private String output;                                    // - for standard output
+    private String rows;                                      // the band's; null for all
     private final long start = System.nanoTime();
     private double readSeconds;
 
@@ -110,7 +120,7 @@ final class RenderCommand implements PlainCommand {
 
     @Override
     public Integer call() throws CommandException {
-        RenderRequest request = picture.request(stage.stage(), work.threads()).with(work.accel()).with(region.value());
+        RenderRequest request = picture.request(stage.stage(), work.threads()).with(work.accel()).with(region.value()).with(band.value());
         output = out.value();
         OutputName.refuseOtherFormats(output);
         OutputName.refuseScene(output, scene);
@@ -121,6 +131,7 @@ final class RenderCommand implements PlainCommand {
         readSeconds = Progress.seconds(begin, System.nanoTime());
         OutputName.refuseNamed(output, scene, read);
         Renderer renderer = renderer(request, read.scene());
+        rows = band.value() == null ? null : band.value().rows(request.whole(request.applyTo(read.scene()).settings));
         Picture asked = renderer.picture();
         asked.tell(new Supplier<List<PictureText>>() {            // later: the digest of the scene takes a while to load
             @Override
@@ -184,7 +195,7 @@ final class RenderCommand implements PlainCommand {
     /** Writes each row as soon as it can be, and lets go of it. What cannot be written ends the rendering. */
     private void render(Renderer renderer, OutputStream out, RenderCheckpointer checkpointer) throws IOException {
         Picture rendered = renderer.picture();
-        PngWriter png = new PngWriter(rendered, out, checkpointer);
+        PngWriter png = new PngWriter(rendered, out, checkpointer, rows);
         ProgressPrinter printer = work.printer(new Progress(rendered.height(), start, checkpointer.known()), main.err());
         try {
             renderer.render(new RenderListener() {

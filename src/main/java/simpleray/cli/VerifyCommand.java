@@ -20,8 +20,11 @@ import simpleray.image.png.PngReader;
 import simpleray.image.png.RowsCheck.Pixel;
 import simpleray.image.png.RowsCheck;
 import simpleray.io.InputFile;
+import simpleray.render.Band;
+import simpleray.render.PicturePart;
 import simpleray.render.Progress;
 import simpleray.render.Provenance;
+import simpleray.render.Region;
 import simpleray.render.RenderRequest;
 import simpleray.render.Renderer;
 import simpleray.scene.PictureScene;
@@ -66,7 +69,11 @@ final class VerifyCommand implements Callable<Integer> {
             InputStream in = scene == null && piped != null ? new ByteArrayInputStream(piped) : main.in();
             SceneFile file = frame.of(SceneArgument.read(name, in, null, outside.reach()), name);
             requireSame(told, file);
-            return compare(renderer(request, file), told);
+            Renderer renderer = renderer(request, file);
+            if (request.band() != null) {
+                requireWholePart(request);
+            }
+            return compare(renderer, told, request);
         } catch (PictureFormatException e) {
             throw new CommandException(ExitCode.BAD_SCENE, "simpleray: " + e.getMessage());
         } catch (IOException e) {
@@ -79,6 +86,13 @@ final class VerifyCommand implements Callable<Integer> {
             return request.renderer(file.scene());
         } catch (IllegalArgumentException e) {
             throw new PictureFormatException(picture, "was made with options that do not fit: " + e.getMessage());
+        }
+    }
+
+    private void requireWholePart(RenderRequest request) throws IOException {
+        boolean file = piped == null;
+        try (InputStream in = file ? Files.newInputStream(Path.of(picture)) : new ByteArrayInputStream(piped)) {
+            PicturePart.requireWhole(request, in, file ? Files.size(Path.of(picture)) : piped.length, SceneArgument.told(picture));
         }
     }
 
@@ -113,7 +127,7 @@ final class VerifyCommand implements Callable<Integer> {
         }
     }
 
-    private int compare(Renderer renderer, PictureScene told) throws IOException, CommandException {
+    private int compare(Renderer renderer, PictureScene told, RenderRequest request) throws IOException, CommandException {
         Picture rendered = renderer.picture();
         HeapCheck.require("a picture of " + rendered.width() + 'x' + rendered.height(),
             renderer.bytesNeeded() + 3L * rendered.width() * renderer.rowsAhead()
@@ -126,7 +140,7 @@ final class VerifyCommand implements Callable<Integer> {
             }
             RowsCheck check = new RowsCheck(rendered, rows);
             render(renderer, check);
-            return report(check, rendered, told);
+            return report(check, rendered, told, request);
         }
     }
 
@@ -150,16 +164,20 @@ final class VerifyCommand implements Callable<Integer> {
         }
     }
 
-    private int report(RowsCheck check, Picture rendered, PictureScene told) throws CommandException {
+    private int report(RowsCheck check, Picture rendered, PictureScene told, RenderRequest request) throws CommandException {
+        Band band = request.band();
+        Region whole = request.whole(request.settings());
+        String named = picture + (band == null ? "" : ": part " + band + ", " + band.rows(whole));
+        int above = band == null ? 0 : band.of(whole).y() - whole.y();
         Pixel first = check.first();
         long all = (long) rendered.width() * rendered.height();
         String other = told.software().equals(Provenance.SOFTWARE) ? "" : " (made by " + told.software() + ", rendered again by "
             + Provenance.SOFTWARE + ')';
         if (first == null) {
-            TextOutput.say(main, picture + ": good: all " + all + " pixels are the same" + other + '\n');
+            TextOutput.say(main, named + ": good: all " + all + " pixels are the same" + other + '\n');
             return ExitCode.DONE;
         }
-        TextOutput.say(main, picture + ": different: " + check.different() + " of " + all + " pixels, the first in row " + (first.y() + 1)
+        TextOutput.say(main, named + ": different: " + check.different() + " of " + all + " pixels, the first in row " + (above + first.y() + 1)
             + ", column " + (first.x() + 1) + ": " + first.inFile() + " in the file, " + first.here() + " rendered" + other + '\n');
         return ExitCode.DIFFERENT;
     }

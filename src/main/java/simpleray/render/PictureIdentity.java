@@ -11,7 +11,8 @@ import simpleray.scene.Setting;
 
 /** All that decides a picture's pixels, as names and values: two pictures of which all are equal are the same. */
 public final class PictureIdentity {
-    private static final String SCENE = "scene";
+    /** The name of the value that stands for the scene. */
+    static final String SCENE = "scene";
 
     private PictureIdentity() {
     }
@@ -38,6 +39,9 @@ public final class PictureIdentity {
                 if (request.region() != null) {
                     identity.put("region", request.region().toString());
                 }
+                if (request.band() != null) {
+                    identity.put("band", request.band().toString());
+                }
                 identity.put("stage", request.stage().toString());
             }
         }
@@ -52,16 +56,28 @@ public final class PictureIdentity {
      * @return such as {@code another scene, depth 10 (now 3)}; empty if they are the same
      */
     public static String difference(Map<String, String> was, Map<String, String> now) {
-        Map<String, String> names = new LinkedHashMap<>(was);
-        now.forEach(names::putIfAbsent);
+        return difference(was, now, "now");
+    }
+
+    /**
+     * Says in what two pictures differ.
+     *
+     * @param one what decides one
+     * @param other what decides the other
+     * @param where what stands before the values of the other
+     * @return such as {@code another scene, depth 10 (there 3)}; empty if they are the same
+     */
+    public static String difference(Map<String, String> one, Map<String, String> other, String where) {
+        Map<String, String> names = new LinkedHashMap<>(one);
+        other.forEach(names::putIfAbsent);
         List<String> differences = new ArrayList<>();
         for (String name : names.keySet()) {
-            String one = was.get(name);
-            String other = now.get(name);
-            if (one == null || other == null) {
-                differences.add((one == null ? "no " : "a ") + name);
-            } else if (!one.equals(other)) {
-                differences.add(name.equals(SCENE) ? "another scene" : name + ' ' + one + " (now " + other + ')');
+            String here = one.get(name);
+            String there = other.get(name);
+            if (here == null || there == null) {
+                differences.add((here == null ? "no " : "a ") + name);
+            } else if (!here.equals(there)) {
+                differences.add(name.equals(SCENE) ? "another scene" : name + ' ' + here + " (" + where + ' ' + there + ')');
             }
         }
         return String.join(", ", differences);

@@ -25,6 +25,8 @@ public final class Provenance {
     private static final String SHEET = "sheet ";
     private static final String ADAPTIVE = "samples adaptive";
     private static final String REGION = "region ";
+    /** Begins the line of a band. */
+    static final String BAND = "band ";
 
     private Provenance() {
     }
@@ -66,7 +68,8 @@ public final class Provenance {
             all.samples = null;
         }
         String options = what + '\n' + (request.adaptive() ? ADAPTIVE + '\n' : "")
-            + (request.region() == null ? "" : REGION + request.region() + '\n') + all.lines();
+            + (request.region() == null ? "" : REGION + request.region() + '\n')
+            + (request.band() == null ? "" : BAND + request.band() + '\n') + all.lines();
         return PictureScene.texts(SOFTWARE, options, file.text());
     }
 
@@ -83,6 +86,7 @@ public final class Provenance {
         Stage stage = null;
         boolean adaptive = false;
         Region region = null;
+        Band band = null;
         for (String line : told.others()) {
             if (line.startsWith(SHEET)) {
                 int end = line.indexOf(':');
@@ -94,6 +98,8 @@ public final class Provenance {
                 adaptive = true;
             } else if (region == null && line.startsWith(REGION)) {
                 region = region(told, line.substring(REGION.length()));
+            } else if (band == null && line.startsWith(BAND)) {
+                band = band(told, line.substring(BAND.length()));
             } else {
                 stage = stage == null && line.startsWith(STAGE) ? stage(line.substring(STAGE.length())) : null;
                 if (stage == null) {
@@ -105,7 +111,7 @@ public final class Provenance {
         if (stage == null) {
             throw new PictureFormatException(told.file(), "does not tell the stage that it shows");
         }
-        return new RenderRequest(told.settings(), stage, adaptive, accel, threads, region);
+        return new RenderRequest(told.settings(), stage, adaptive, accel, threads, region, band);
     }
 
     private static Region region(PictureScene told, String text) throws PictureFormatException {
@@ -118,6 +124,15 @@ public final class Provenance {
             // as below
         }
         throw new PictureFormatException(told.file(), "was made of a region that is none: " + Diagnostic.quoted(text));
+    }
+
+    private static Band band(PictureScene told, String text) throws PictureFormatException {
+        try {
+            return Band.parse(text);
+        } catch (IllegalArgumentException e) {
+            throw (PictureFormatException) new PictureFormatException(told.file(), "was made of a band that is none: " + Diagnostic.quoted(text))
+                .initCause(e);
+        }
     }
 
     private static Stage stage(String name) {

@@ -14,8 +14,9 @@ import simpleray.scene.Setting;
  * @param accel how the nearest object is found
  * @param threads how many threads work, 1 or more
  * @param region the only piece of the picture that is made; null for all of it
+ * @param band the only band of that piece that is made; null for all of it
  */
-public record RenderRequest(SceneSettings settings, Stage stage, boolean adaptive, Accel accel, int threads, Region region) {
+public record RenderRequest(SceneSettings settings, Stage stage, boolean adaptive, Accel accel, int threads, Region region, Band band) {
     /** Leaves all to the scene: its final picture, rendered by a thread for each processor. */
     public RenderRequest() {
         this(new SceneSettings(), Stage.FINAL, false, Runtime.getRuntime().availableProcessors());
@@ -30,7 +31,7 @@ public record RenderRequest(SceneSettings settings, Stage stage, boolean adaptiv
      * @param threads how many threads work, 1 or more
      */
     public RenderRequest(SceneSettings settings, Stage stage, boolean adaptive, int threads) {
-        this(settings, stage, adaptive, Accel.AUTO, threads, null);
+        this(settings, stage, adaptive, Accel.AUTO, threads, null, null);
     }
 
     /**
@@ -40,7 +41,7 @@ public record RenderRequest(SceneSettings settings, Stage stage, boolean adaptiv
      * @return this request with that way
      */
     public RenderRequest with(Accel other) {
-        return new RenderRequest(settings, stage, adaptive, other, threads, region);
+        return new RenderRequest(settings, stage, adaptive, other, threads, region, band);
     }
 
     /**
@@ -50,7 +51,7 @@ public record RenderRequest(SceneSettings settings, Stage stage, boolean adaptiv
      * @return this request with that stage
      */
     public RenderRequest with(Stage other) {
-        return new RenderRequest(settings, other, adaptive, accel, threads, region);
+        return new RenderRequest(settings, other, adaptive, accel, threads, region, band);
     }
 
     /**
@@ -60,7 +61,17 @@ public record RenderRequest(SceneSettings settings, Stage stage, boolean adaptiv
      * @return this request with that region
      */
     public RenderRequest with(Region other) {
-        return new RenderRequest(settings, stage, adaptive, accel, threads, other);
+        return new RenderRequest(settings, stage, adaptive, accel, threads, other, band);
+    }
+
+    /**
+     * Changes the band.
+     *
+     * @param other the only band of the region, or of the picture, that is made; null for all of it
+     * @return this request with that band
+     */
+    public RenderRequest with(Band other) {
+        return new RenderRequest(settings, stage, adaptive, accel, threads, region, other);
     }
 
     /**
@@ -70,7 +81,7 @@ public record RenderRequest(SceneSettings settings, Stage stage, boolean adaptiv
      * @return this request with those settings
      */
     public RenderRequest with(SceneSettings other) {
-        return new RenderRequest(other, stage, adaptive, accel, threads, region);
+        return new RenderRequest(other, stage, adaptive, accel, threads, region, band);
     }
 
     /**
@@ -91,7 +102,23 @@ public record RenderRequest(SceneSettings settings, Stage stage, boolean adaptiv
      */
     public void check() {
         settings.newCamera();
-        renderSettings(settings);
+        renderSettings(settings, region);
+    }
+
+    /**
+     * Finds the rectangle that is cut into bands: the region, or all of the picture.
+     *
+     * @param all the settings that hold, of the scene and of this request
+     * @return the rectangle
+     * @throws IllegalArgumentException if the region is not inside the picture
+     */
+    public Region whole(SceneSettings all) {
+        SceneSettings.Resolution size = Setting.RESOLUTION.in(all);
+        if (region == null) {
+            return Region.whole(size.width(), size.height());
+        }
+        region.requireWithin(size.width(), size.height());
+        return region;
     }
 
     /**
@@ -108,11 +135,12 @@ public record RenderRequest(SceneSettings settings, Stage stage, boolean adaptiv
     /** Prepares the rendering of a scene of which something is ready, or null. */
     Renderer renderer(Scene scene, PreparedScene prepared) {
         Scene asked = applyTo(scene);
-        return new Renderer(asked, asked.settings.newCamera(), renderSettings(asked.settings), prepared);
+        Region piece = band == null ? region : band.of(whole(asked.settings));
+        return new Renderer(asked, asked.settings.newCamera(), renderSettings(asked.settings, piece), prepared);
     }
 
-    private RenderSettings renderSettings(SceneSettings all) {
+    private RenderSettings renderSettings(SceneSettings all, Region piece) {
         int samples = adaptive ? RenderSettings.ADAPTIVE : Setting.SAMPLES.in(all);
-        return new RenderSettings(stage, Setting.DEPTH.in(all), samples, accel, threads, region);
+        return new RenderSettings(stage, Setting.DEPTH.in(all), samples, accel, threads, piece);
     }
 }

@@ -34,13 +34,14 @@ class EveryOutputTest {
 
     /** {@return all that writes one file} In a line @ stands for the folder of what is read. */
     static List<String> files() {
-        return List.of("render @ball.scene --progress plain -o", "convert @ball.scene", "still @ball.scene -o", "export --pov @ball.scene -o",
-            "compare @one.png @other.png --heatmap", "explain @ball.scene --pixel 5,5 -q --draw-size 9x9 --draw");
+        return List.of("render @ball.scene --progress plain -o", "merge @2.png @1.png -q -o", "convert @ball.scene",
+            "still @ball.scene -o", "export --pov @ball.scene -o", "compare @one.png @other.png --heatmap", "explain @ball.scene --pixel 5,5 -q --draw-size 9x9 --draw");
     }
 
     /** {@return all that writes to standard output} */
     static List<String> streams() {
-        return List.of("render @ball.scene -q -o -", "render @ball.scene -q --stats text -o @stats.png", "convert @ball.scene -", "still @ball.scene -o -",
+        return List.of("render @ball.scene -q -o -", "render @ball.scene -q --stats text -o @stats.png", "merge @2.png @1.png -q -o -",
+            "convert @ball.scene -", "still @ball.scene -o -",
             "export --pov @ball.scene -o -", "print @ball.scene", "check @ball.scene", "check --errors json @ball.scene",
             "explain @ball.scene --pixel 5,5", "explain @ball.scene --pixel 5,5 --format json", "compare @one.png @other.png",
             "compare @one.png @other.png --format json", "verify @one.png -q", "bench --quick", "generate-completion", "help", "help render",
@@ -57,6 +58,8 @@ class EveryOutputTest {
         Files.writeString(made.resolve("ball.scene"), SmallScenes.ROUGH);
         assertThat(run("render @ball.scene -q -o @one.png" + SIZE).exitCode()).isZero();
         assertThat(run("render @ball.scene -q -o @other.png --cop 3" + SIZE).exitCode()).isZero();
+        assertThat(run("render @ball.scene -q -o @1.png --band 1/2" + SIZE).exitCode()).isZero();
+        assertThat(run("render @ball.scene -q -o @2.png --band 2/2" + SIZE).exitCode()).isZero();
     }
 
     @BeforeEach
@@ -175,7 +178,7 @@ class EveryOutputTest {
         String[] messages = {"the picture cannot be written to standard output: nobody reads",
             "standard output cannot be written: nobody reads", "standard output cannot be written"};
         assertThat(result.err()).isEqualTo("simpleray: "
-            + messages[line.startsWith("render") && line.endsWith("-o -") ? 0 : line.matches(".*--?(help|version)|(help|gen).*") ? 2 : 1] + '\n');
+            + messages[line.endsWith("-o -") && !line.startsWith("export") ? 0 : line.matches(".*--?(help|version)|(help|gen).*") ? 2 : 1] + '\n');
         assertThat(result.exitCode()).isEqualTo(ExitCode.WRITE_ERROR);
     }
 

@@ -19,6 +19,7 @@ import simpleray.Project;
 import simpleray.Rendered;
 import simpleray.image.Checkpoint;
 import simpleray.image.Picture;
+import simpleray.render.Band;
 import simpleray.render.PictureIdentity;
 import simpleray.render.Region;
 import simpleray.render.RenderRequest;
@@ -58,9 +59,13 @@ class RenderCommandResumeTest {
     }
 
     private void keep(Path file, boolean adaptive, Region region, byte[] levels, IntStream rows) throws IOException {
+        keep(file, adaptive, region, null, levels, rows);
+    }
+
+    private void keep(Path file, boolean adaptive, Region region, Band band, byte[] levels, IntStream rows) throws IOException {
         SceneSettings asked = new SceneSettings();
         asked.resolution = new Resolution(SIDE, SIDE);
-        RenderRequest request = new RenderRequest(asked, Stage.FINAL, adaptive, 1).with(region);
+        RenderRequest request = new RenderRequest(asked, Stage.FINAL, adaptive, 1).with(region).with(band);
         Scene read = SceneFile.read(scene).scene();
         read = read.settings.frames == null ? read : read.still(1);
         Picture picture = request.renderer(read).picture();
@@ -142,6 +147,25 @@ class RenderCommandResumeTest {
         assertFails(render("--resume"), ExitCode.BAD_SCENE, part + " holds rows of another picture: another scene (--restart discards them)");
         assertThat(render("--resume", "--frame", "1").err()).startsWith("simpleray: going on with 20 of 40 rows, kept in " + part + "\n");
         assertThat(Files.readAllBytes(out)).isEqualTo(expected);
+    }
+
+    @Test
+    void theRowsOfABandMakeTheSamePart() throws IOException {
+        byte[] expected = unbroken("--band", "2/3");
+        keep(part, false, null, new Band(2, 3), levels(expected), IntStream.of(0, 5, 12));
+
+        assertThat(render("--resume", "--band", "2/3").err())
+            .startsWith("simpleray: going on with 3 of 13 rows, kept in " + part + "\n" + out + ": 40x13, ");
+        assertThat(Files.readAllBytes(out)).isEqualTo(expected);
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', value = {"--band 1/3 | band 2/3 (now 1/3)", "--band 2/4 | band 2/3 (now 2/4)", "--depth 10 | a band"})
+    void theRowsOfAnotherBandAreRefused(String option, String difference) throws IOException {
+        keep(part, false, null, new Band(2, 3), new byte[3 * SIDE * SIDE], IntStream.range(0, 13));
+
+        assertFails(render(Stream.concat(Stream.of("--resume"), Arrays.stream(option.split(" "))).toArray(String[]::new)),
+            ExitCode.BAD_SCENE, part + " holds rows of another picture: " + difference + " (--restart discards them)");
     }
 
     @Test

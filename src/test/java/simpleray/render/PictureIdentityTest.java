@@ -15,7 +15,7 @@ import simpleray.scene.SceneSettings.Window;
 class PictureIdentityTest {
     private static Map<String, String> of(SceneSettings asked, Stage stage, boolean adaptive, Accel accel, int threads) {
         Scene scene = new Scene();
-        RenderRequest request = new RenderRequest(asked, stage, adaptive, accel, threads, null);
+        RenderRequest request = new RenderRequest(asked, stage, adaptive, accel, threads, null, null);
         request.renderer(scene);
         return PictureIdentity.of("1.2", request, scene);
     }

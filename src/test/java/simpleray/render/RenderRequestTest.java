@@ -28,7 +28,7 @@ class RenderRequestTest {
     /** A request that differs from the plain one in this component alone, for each that decides about pixels, beside the settings. */
     private static final Map<String, RenderRequest> OTHERS = Map.of("stage", new RenderRequest().with(Stage.DIFFUSE),
         "adaptive", new RenderRequest(new SceneSettings(), Stage.FINAL, true, 1),
-        "region", new RenderRequest().with(new Region(1, 2, 3, 4)));
+        "region", new RenderRequest().with(new Region(1, 2, 3, 4)), "band", new RenderRequest().with(new Band(2, 3)));
 
     static List<Setting<?>> all() {
         return SettingSamples.withOption();
@@ -76,13 +76,14 @@ class RenderRequestTest {
     void whatElseIsAskedForIsToldAsWell() throws IOException {
         assertThat(Arrays.stream(RenderRequest.class.getRecordComponents()).map(RecordComponent::getName))
             .as("what is new here and decides about pixels has an example above, and stands in PictureIdentity, Provenance and CommandWords")
-            .containsExactlyInAnyOrder("settings", "stage", "adaptive", "region", "accel", "threads");
+            .containsExactlyInAnyOrder("settings", "stage", "adaptive", "region", "band", "accel", "threads");
         for (RenderRequest other : OTHERS.values()) {
             assertThat(identity(other, "")).isNotEqualTo(identity(new RenderRequest(), ""));
             assertThat(told(other, "")).isNotEqualTo(told(new RenderRequest(), ""));
             RenderRequest again = again(told(other, ""));
             assertThat(List.of(again.stage(), again.adaptive())).isEqualTo(List.of(other.stage(), other.adaptive()));
             assertThat(again.region()).isEqualTo(other.region());
+            assertThat(again.band()).isEqualTo(other.band());
         }
     }
 

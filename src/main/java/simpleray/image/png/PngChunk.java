@@ -53,6 +53,11 @@ final class PngChunk {
         return chunk.finished();
     }
 
+    /** {@return the last chunk of each file} */
+    static PngChunk end() {
+        return new PngChunk(PngChunks.LAST, 1).finished();
+    }
+
     void putInt(int data) {
         put(data >>> 24, data >>> 16, data >>> 8, data);
     }

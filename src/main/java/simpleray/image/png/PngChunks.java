@@ -21,7 +21,8 @@ public final class PngChunks {
     private static final int SUM = 4;
     /** The chunk of a text. */
     static final String TEXT = "iTXt";
-    private static final String LAST = "IEND";
+    /** The last chunk. */
+    static final String LAST = "IEND";
     private static final int NAME = 4;
     private static final int BUFFER = 1 << 16;
 

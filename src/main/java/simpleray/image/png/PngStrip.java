@@ -11,11 +11,12 @@ import simpleray.image.Picture;
  * at this level than choosing among all of PNG's filters for each row. <em>Mutable</em>; different threads may set different rows.
  */
 final class PngStrip {
-    private static final int PIXEL = 3;
+    static final int PIXEL = 3;
     /** Bytes of a row before its levels: the filter's number. */
     private static final int HEAD = 1;
-    private static final byte SUB = 1;
-    private static final byte UP = 2;
+    /** The filters of the first row, and of the others. */
+    static final byte SUB = 1;
+    static final byte UP = 2;
     private static final int USUAL_GAIN = 4;
 
     private final int count;

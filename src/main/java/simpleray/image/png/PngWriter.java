@@ -15,7 +15,8 @@ import simpleray.image.PictureText;
  * bytes depend on the picture alone.
  */
 public final class PngWriter {
-    private static final int[] FORMAT = {8, 2, 0, 0, 0};      // bits, RGB, deflate, the five filters, not interlaced
+    /** Behind width and height in the header. */
+    static final byte[] FORMAT = {8, 2, 0, 0, 0};             // bits, RGB, deflate, the five filters, not interlaced
     private static final int[] ZLIB = {0x78, 0x01};           // deflate with a window of 32 KiB, compressed fast
     private static final int[] LAST_BLOCK = {0x03, 0x00};     // of no bytes
     /** The least number of rows of a strip; there are more if they have fewer bytes than the next number. */
@@ -25,6 +26,7 @@ public final class PngWriter {
     private final Picture picture;
     private final OutputStream out;
     private final RowSink sink;                               // null for none
+    private final PngSeal seal;                               // null for none
     private final int stripRows;
     private final Map<Integer, PngStrip> begun = new HashMap<>();
     private final Map<Integer, Compressed> waiting = new HashMap<>();
@@ -53,8 +55,21 @@ public final class PngWriter {
      * @param sink also gets each row, on the thread that adds it; null for none
      */
     public PngWriter(Picture picture, OutputStream out, RowSink sink) {
+        this(picture, out, sink, null);
+    }
+
+    /**
+     * Begins a file; nothing is written yet.
+     *
+     * @param picture the picture, whose rows may still be missing
+     * @param out the stream to write to; stays open
+     * @param sink also gets each row, on the thread that adds it; null for none
+     * @param rows the rows of a larger picture that this one is, which a {@link PngSeal} at the end tells; null for none
+     */
+    public PngWriter(Picture picture, OutputStream out, RowSink sink, String rows) {
         this.picture = picture;
-        this.out = out;
+        seal = rows == null ? null : new PngSeal(out, rows);
+        this.out = seal == null ? out : seal.out();
         this.sink = sink;
         stripRows = stripRows(picture.width());
     }
@@ -158,7 +173,10 @@ public final class PngWriter {
         last.put(LAST_BLOCK);
         last.putInt(sum.value());
         last.finished().writeTo(out);
-        new PngChunk("IEND", 1).finished().writeTo(out);
+        if (seal != null) {
+            PngChunk.of(seal.text()).writeTo(out);
+        }
+        PngChunk.end().writeTo(out);
         out.flush();
     }
 }

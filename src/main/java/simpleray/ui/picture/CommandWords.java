@@ -50,6 +50,9 @@ public final class CommandWords {
             if (setting == Setting.BACKGROUND && request.region() != null) {
                 words.addAll(List.of("--region", request.region().toString()));
             }
+            if (setting == Setting.BACKGROUND && request.band() != null) {
+                words.addAll(List.of("--band", request.band().toString()));
+            }
             String value = setting == Setting.SAMPLES && request.adaptive() ? "adaptive" : setting.text(request.settings());
             if (value != null && setting.option() != null) {
                 words.addAll(List.of(setting.option(), value));
