@@ -86,7 +86,7 @@ final class FiguresCommand implements Callable<Integer> {
         Picture first = request.renderer(read).picture();     // its size is that of all
         List<Sheet> sheets = layouts(figures, first.width(), first.height());
         int rows = first.height() * figures.stream().mapToInt(Figure::rendered).sum();
-        printer = work.printer(new Progress(rows, System.nanoTime()), main.err());
+        printer = work.printer(new Progress(rows, System.nanoTime()), main);
         TextOutput.makeFolder(folder);
         List<AtomicFile> files = new ArrayList<>();
         try {
@@ -179,7 +179,7 @@ final class FiguresCommand implements Callable<Integer> {
         } catch (IOException e) {
             throw new CommandException(ExitCode.WRITE_ERROR, "simpleray: " + output(figure) + ": cannot be written: " + e.getMessage());
         }
-        work.report(main.err(), output(figure), filled, Progress.seconds(start, System.nanoTime()));
+        work.report(main, output(figure), filled, Progress.seconds(start, System.nanoTime()));
     }
 
     private static void close(AtomicFile file) {

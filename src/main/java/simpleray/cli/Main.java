@@ -31,6 +31,7 @@ public final class Main implements Runnable {
     private final OutputStream out;
     private final PrintStream err;
     private String[] args = {};
+    private OpenJobLines lines;                               // null unless asked for
 
     Main(InputStream in, OutputStream out, PrintStream err) {
         this.in = in;
@@ -64,6 +65,7 @@ public final class Main implements Runnable {
     public static int run(String[] args, InputStream in, OutputStream out, PrintStream err) {
         Main main = new Main(in, out, err);
         main.args = args;
+        main.lines = OpenJobLines.areAskedFor(args) ? new OpenJobLines(out) : null;
         try {
             PlainCommand plain = PlainLine.read(main, args);
             return plain == null ? new Commands(main).execute(args) : main.run(plain);
@@ -91,30 +93,35 @@ public final class Main implements Runnable {
         if (failure.exitCode() == ExitCode.USAGE) {
             return usage(command, failure.getMessage());
         }
-        err.println(failure.getMessage());
-        return failure.exitCode();
+        return fail(failure.exitCode(), failure.getMessage());
     }
 
     /** Reports a mistake in a command line. {@return the exit code} */
     int usage(String command, String message) {
-        err.println(command + ": " + message.strip().replace('\n', ' ') + " (see " + command + " --help)");
-        return ExitCode.USAGE;
+        return fail(ExitCode.USAGE, command + ": " + message.strip().replace('\n', ' ') + " (see " + command + " --help)");
+    }
+
+    private int fail(int exitCode, String message) {
+        err.println(message);
+        if (lines != null) {
+            lines.fail(message);
+        }
+        return exitCode;
     }
 
     private int internal(Throwable e) {
         if (e instanceof OutOfMemoryError || OutOfMemory.isBehind(e)) {   // the first test loads no class
-            err.println("simpleray: " + OutOfMemory.MESSAGE);
-            return ExitCode.NO_MEMORY;
+            return fail(ExitCode.NO_MEMORY, "simpleray: " + OutOfMemory.MESSAGE);
         }
         if (e instanceof LinkageError && !WindowSupport.hasModule()) {
-            err.println("simpleray: this Java lacks the module java.desktop, which is needed here: " + WindowSupport.INSTALL);
-            return ExitCode.NO_DISPLAY;
+            return fail(ExitCode.NO_DISPLAY, "simpleray: this Java lacks the module java.desktop, which is needed here: "
+                + WindowSupport.INSTALL);
         }
         if (e instanceof NoClassDefFoundError && e.getCause() instanceof ClassNotFoundException || e instanceof ClassFormatError) {
-            err.println("simpleray: a part of the program is missing or damaged, so install or build it again: " + e.getMessage());
-            return ExitCode.INTERNAL;
+            return fail(ExitCode.INTERNAL, "simpleray: a part of the program is missing or damaged, so install or build it again: "
+                + e.getMessage());
         }
-        err.println("simpleray: internal error, which should not happen whatever the input: " + e);
+        fail(ExitCode.INTERNAL, "simpleray: internal error, which should not happen whatever the input: " + e);
         e.printStackTrace(err);
         return ExitCode.INTERNAL;
     }
@@ -122,6 +129,11 @@ public final class Main implements Runnable {
     /** {@return the command line} */
     String[] args() {
         return args;
+    }
+
+    /** {@return the lines for a scheduler; null unless they are asked for} */
+    OpenJobLines lines() {
+        return lines;
     }
 
     /** {@return the version in the jar's manifest} */

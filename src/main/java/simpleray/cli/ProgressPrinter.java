@@ -25,6 +25,7 @@ final class ProgressPrinter implements RenderListener {
 
     private final Progress progress;
     private final PrintStream err;
+    private final OpenJobLines lines;                         // null unless asked for
     private final Style style;
     private final TerminalWidth width = new TerminalWidth(System.getenv());
     private long shown;
@@ -38,6 +39,8 @@ final class ProgressPrinter implements RenderListener {
         BAR,
         /** A line for every tenth. */
         PLAIN,
+        /** A scheduler's lines on standard output: the progress for every hundredth, and the status for every tenth. */
+        OPENJD,
         /** Not at all. */
         NONE;
 
@@ -55,9 +58,10 @@ final class ProgressPrinter implements RenderListener {
         }
     }
 
-    ProgressPrinter(Progress progress, PrintStream err, Style style) {
+    ProgressPrinter(Progress progress, PrintStream err, OpenJobLines lines, Style style) {
         this.progress = progress;
         this.err = err;
+        this.lines = lines;
         this.style = style.shown(isTerminal(), System.getenv());
         shown = System.nanoTime();
     }
@@ -76,6 +80,12 @@ final class ProgressPrinter implements RenderListener {
         } else if (style == Style.PLAIN && progress.percent() / STEP > step) {
             step = progress.percent() / STEP;
             err.println(state(now));
+        } else if (style == Style.OPENJD && lines != null && progress.percent() > step) {
+            if (progress.percent() / STEP > step / STEP) {
+                lines.status(state(now));
+            }
+            step = progress.percent();
+            lines.progress(step);
         }
     }
 

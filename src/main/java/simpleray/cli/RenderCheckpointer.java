@@ -66,11 +66,20 @@ final class RenderCheckpointer implements RowSink, Closeable {
      * @param err standard error
      * @param quiet whether only errors are said
      * @param args the command line
+     * @param lines a scheduler's lines; null for none
      */
-    record Notes(PrintStream err, boolean quiet, String[] args) {
+    record Notes(PrintStream err, boolean quiet, String[] args, OpenJobLines lines) {
         void say(String text) {
             if (!quiet) {
                 err.println("simpleray: " + text);
+            }
+        }
+
+        /** Says, whether or not only errors are said, why the picture is not made. */
+        void fail(String text) {
+            err.println("simpleray: " + text);
+            if (lines != null) {
+                lines.fail("simpleray: " + text);
             }
         }
 
@@ -282,7 +291,7 @@ final class RenderCheckpointer implements RowSink, Closeable {
         synchronized (this) {
             end();
             if (!done) {
-                notes.err.println("simpleray: interrupted" + (rows == 0
+                notes.fail("interrupted" + (rows == 0
                     ? " after " + Progress.time(Progress.seconds(start, System.nanoTime()))
                         + ", and nothing is kept: --checkpoint FILE keeps rows from the start"
                     : ": " + rows + " of " + renderer.picture().height() + " rows are kept in " + path + "; to go on: "

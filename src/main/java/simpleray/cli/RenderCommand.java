@@ -122,6 +122,7 @@ final class RenderCommand implements PlainCommand {
     public Integer call() throws CommandException {
         RenderRequest request = picture.request(stage.stage(), work.threads()).with(work.accel()).with(region.value()).with(band.value());
         output = out.value();
+        work.requireFreeOutput(output);
         OutputName.refuseOtherFormats(output);
         OutputName.refuseScene(output, scene);
         OutputName.refuseSceneNames(output);
@@ -147,7 +148,7 @@ final class RenderCommand implements PlainCommand {
                 return PictureIdentity.of(Main.version(), request, read.scene());
             }
         };
-        RenderCheckpointer.Notes notes = new RenderCheckpointer.Notes(main.err(), work.quiet(), main.args());
+        RenderCheckpointer.Notes notes = new RenderCheckpointer.Notes(main.err(), work.quiet(), main.args(), main.lines());
         try (RenderCheckpointer checkpointer = new RenderCheckpointer(kept, renderer, identity, notes)) {
             if (output.equals(SceneArgument.STREAM)) {
                 toStream(renderer, checkpointer);
@@ -196,7 +197,7 @@ final class RenderCommand implements PlainCommand {
     private void render(Renderer renderer, OutputStream out, RenderCheckpointer checkpointer) throws IOException {
         Picture rendered = renderer.picture();
         PngWriter png = new PngWriter(rendered, out, checkpointer, rows);
-        ProgressPrinter printer = work.printer(new Progress(rendered.height(), start, checkpointer.known()), main.err());
+        ProgressPrinter printer = work.printer(new Progress(rendered.height(), start, checkpointer.known()), main);
         try {
             renderer.render(new RenderListener() {
                 @Override
@@ -223,7 +224,7 @@ final class RenderCommand implements PlainCommand {
     }
 
     private void report(String name, Renderer renderer) throws CommandException {
-        work.report(main.err(), name, renderer.picture(), Progress.seconds(start, System.nanoTime()));
+        work.report(main, name, renderer.picture(), Progress.seconds(start, System.nanoTime()));
         if (stats.value() == null) {
             return;
         }

@@ -146,7 +146,7 @@ final class VerifyCommand implements Callable<Integer> {
 
     private void render(Renderer renderer, RowsCheck check) throws IOException {
         Picture rendered = renderer.picture();
-        ProgressPrinter printer = work.printer(new Progress(rendered.height(), System.nanoTime()), main.err());
+        ProgressPrinter printer = work.printer(new Progress(rendered.height(), System.nanoTime()), main);
         try {
             renderer.render(y -> {
                 try {

@@ -1,7 +1,9 @@
 package simpleray.cli;
 
 import java.io.PrintStream;
+import java.nio.file.Path;
 import simpleray.image.Picture;
+import simpleray.io.OutputTarget;
 import simpleray.render.Accel;
 import simpleray.render.Progress;
 
@@ -16,7 +18,8 @@ final class WorkOptions extends OptionGroup {
             + "in turn, as the thesis does. The picture is the same.", "--accel"));
     private final CommandOption<ProgressPrinter.Style> progress = add(CommandOption.choice(ProgressPrinter.Style.values(),
         ProgressPrinter.Style.AUTO, "HOW", "${COMPLETION-CANDIDATES} (default: ${DEFAULT-VALUE}: a bar if standard error is a terminal, "
-            + "else none); without a terminal, with TERM=dumb, or with NO_COLOR, bar is plain.", "--progress"));
+            + "else none); without a terminal, with TERM=dumb, or with NO_COLOR, bar is plain; openjd prints, on standard output, "
+            + "the lines that Open Job Description reads.", "--progress"));
     private final CommandOption<Boolean> quiet = add(CommandOption.flag("Say nothing but errors.", "-q", "--quiet"));
 
     /**
@@ -46,15 +49,36 @@ final class WorkOptions extends OptionGroup {
         return quiet.value();
     }
 
-    /** {@return what shows progress on standard error, if it is to be shown} */
-    ProgressPrinter printer(Progress counter, PrintStream err) {
-        return new ProgressPrinter(counter, err, quiet() ? ProgressPrinter.Style.NONE : progress.value());
+    /** {@return what shows progress, if it is to be shown} */
+    ProgressPrinter printer(Progress counter, Main main) {
+        return new ProgressPrinter(counter, main.err(), main.lines(), quiet() ? ProgressPrinter.Style.NONE : progress.value());
+    }
+
+    /**
+     * Makes sure that standard output is free for the progress, if that is to go there.
+     *
+     * @param output where the picture goes
+     * @throws CommandException if it goes there, too
+     */
+    void requireFreeOutput(String output) throws CommandException {
+        if (progress.value() == ProgressPrinter.Style.OPENJD
+            && (output.equals(SceneArgument.STREAM) || OutputTarget.isStandardOutput(Path.of(output)))) {
+            throw CommandException.usage("--progress openjd and the picture cannot both go to standard output");
+        }
     }
 
     /** Says that a picture is written. */
-    void report(PrintStream err, String name, Picture picture, double seconds) {
+    void report(Main main, String name, Picture picture, double seconds) {
+        say(main, name + ": " + picture.width() + 'x' + picture.height() + ", " + Progress.time(seconds));
+    }
+
+    /** Says how it has ended. */
+    void say(Main main, String text) {
         if (!quiet()) {
-            err.println(name + ": " + picture.width() + 'x' + picture.height() + ", " + Progress.time(seconds));
+            main.err().println(text);
+            if (main.lines() != null) {
+                main.lines().status(text);
+            }
         }
     }
 }

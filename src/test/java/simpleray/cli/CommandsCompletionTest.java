@@ -37,7 +37,7 @@ class CommandsCompletionTest {
         "'view --stage ', 'original lighting final ambient diffuse specular normals depth objects bounces shadows'",
         "'render --stage di', diffuse",
         "'explain --format ', 'text json'",
-        "'render --progress ', 'auto bar plain none'",
+        "'render --progress ', 'auto bar plain openjd none'",
         "'ren', render",
         "'render --thr', --threads"})
     void bashOffers(String typed, String offered) throws IOException, InterruptedException {

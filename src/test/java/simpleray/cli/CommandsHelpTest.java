@@ -68,7 +68,7 @@ class CommandsHelpTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"view", "render", "figures", "explain", "print", "check", "convert", "still", "export", "verify", "compare", "bench",
+    @ValueSource(strings = {"view", "render", "merge", "figures", "explain", "print", "check", "convert", "still", "export", "verify", "compare", "bench",
         "generate-completion"})
     void aCommandHasAHelpOfItsOwn(String command) {
         assertThat(text(command, "--help")).startsWith("Usage: simpleray " + command + " ");
@@ -77,7 +77,7 @@ class CommandsHelpTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"view, --look", "render, -o --frame --region --threads --accel --progress --stats -q --checkpoint --resume --restart",
+    @CsvSource({"view, --look", "render, -o --frame --region --band --threads --accel --progress --stats -q --checkpoint --resume --restart",
         "figures, -d --frame --sweep --threads --accel --progress -q", "explain, --frame --pixel --format --stage --accel -q"})
     void theHelpTellsEveryOptionOfACommandThatRenders(String command, String options) {
         String help = text(command, "--help");

@@ -99,7 +99,7 @@ class ProgressPrinterTest {
         for (int i = 0; i < 2000; i++) {
             progress.rowFinished();
         }
-        return new ProgressPrinter(progress, System.err, ProgressPrinter.Style.NONE);
+        return new ProgressPrinter(progress, System.err, null, ProgressPrinter.Style.NONE);
     }
 
     /** {@return the lines on standard error, every time as 0.0 s} */

@@ -26,7 +26,7 @@ class RenderCheckpointerTest {
         ByteArrayOutputStream err = new ByteArrayOutputStream();
         Renderer renderer = new Renderer(new Scene(), new SimpleCamera(4, 2), new RenderSettings());
         RenderCheckpointer.Notes notes =
-            new RenderCheckpointer.Notes(new PrintStream(err, true, StandardCharsets.UTF_8), false, new String[0]);
+            new RenderCheckpointer.Notes(new PrintStream(err, true, StandardCharsets.UTF_8), false, new String[0], null);
 
         try (RenderCheckpointer checkpointer = new RenderCheckpointer(path, renderer, () -> {
             throw new OutOfMemoryError("made up");
@@ -48,7 +48,7 @@ class RenderCheckpointerTest {
     void theCommandThatGoesOnHasItsOptionBeforeNamesThatBeginWithADash() {
         String[] args = {"render", "--restart", "-o", "my a.png", "--", "-x.scene"};
 
-        assertThat(new RenderCheckpointer.Notes(System.err, false, args).command())
+        assertThat(new RenderCheckpointer.Notes(System.err, false, args, null).command())
             .isEqualTo("simpleray render -o 'my a.png' --resume -- -x.scene");
     }
 }
