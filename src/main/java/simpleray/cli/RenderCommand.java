@@ -83,6 +83,9 @@ final class RenderCommand implements PlainCommand {
             return Band.parse(text);
         }
     });
+    private final CommandOption<Boolean> skipDone = others.add(CommandOption.flag(
+        "Do nothing if OUT.png is there, whole, of the same scene and options and by this version; whatever else is there is "
+            + "written over, as always.", "--skip-done"));
 
     private String output;                                    // - for standard output
     private String rows;                                      // the band's; null for all
@@ -123,6 +126,10 @@ final class RenderCommand implements PlainCommand {
         RenderRequest request = picture.request(stage.stage(), work.threads()).with(work.accel()).with(region.value()).with(band.value());
         output = out.value();
         work.requireFreeOutput(output);
+        boolean stream = output.equals(SceneArgument.STREAM);
+        if (skipDone.value() && (stream || OutputTarget.isStream(Path.of(output)))) {
+            throw CommandException.usage("--skip-done looks for a file, and " + (stream ? "standard output" : output) + " is none");
+        }
         OutputName.refuseOtherFormats(output);
         OutputName.refuseScene(output, scene);
         OutputName.refuseSceneNames(output);
@@ -140,6 +147,10 @@ final class RenderCommand implements PlainCommand {
                 return Provenance.of(request, read);
             }
         });
+        if (skipDone.value() && DonePicture.isThere(Path.of(output), asked.texts(), asked, rows)) {
+            work.skipped(main, output);
+            return ExitCode.DONE;
+        }
         HeapCheck.require("a picture of " + asked.width() + 'x' + asked.height(),
             renderer.bytesNeeded() + PngWriter.bytesNeeded(asked.width(), renderer.rowsAhead()));
         Supplier<Map<String, String>> identity = new Supplier<>() {

@@ -10,6 +10,7 @@ import simpleray.render.Progress;
 /** The options that say how a command works without a window, and what it says meanwhile. The picture does not depend on them. */
 final class WorkOptions extends OptionGroup {
     private static final int MAX_THREADS = 1024;
+    private static final int ALL = 100;                       // per cent
 
     private final CommandOption<Integer> threads = add(CommandOption.integer("N",
         "How many threads work, 1 to " + MAX_THREADS + " (default: one for each processor). The picture is the same.", "--threads"));
@@ -72,8 +73,15 @@ final class WorkOptions extends OptionGroup {
         say(main, name + ": " + picture.width() + 'x' + picture.height() + ", " + Progress.time(seconds));
     }
 
-    /** Says how it has ended. */
-    void say(Main main, String text) {
+    /** Says that a picture is there already. */
+    void skipped(Main main, String name) {
+        if (!quiet() && main.lines() != null) {
+            main.lines().progress(ALL);
+        }
+        say(main, name + ": is there already, whole and of the same scene and options: it is not rendered again");
+    }
+
+    private void say(Main main, String text) {
         if (!quiet()) {
             main.err().println(text);
             if (main.lines() != null) {

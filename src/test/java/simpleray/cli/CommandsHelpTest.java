@@ -77,7 +77,8 @@ class CommandsHelpTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"view, --look", "render, -o --frame --region --band --threads --accel --progress --stats -q --checkpoint --resume --restart",
+    @CsvSource({"view, --look",
+        "render, -o --frame --region --band --skip-done --threads --accel --progress --stats -q --checkpoint --resume --restart",
         "figures, -d --frame --sweep --threads --accel --progress -q", "explain, --frame --pixel --format --stage --accel -q"})
     void theHelpTellsEveryOptionOfACommandThatRenders(String command, String options) {
         String help = text(command, "--help");
