@@ -23,7 +23,7 @@ import simpleray.ui.picture.ShellWords;
 
 /**
  * Keeps the finished rows of a rendering in a {@link Checkpoint}, so that it can go on if it is ended. Until the time comes to begin
- * a checkpoint, rows are kept in memory, and no class is loaded that only a checkpoint needs. Any thread may call.
+ * a checkpoint, or SIGTERM, rows are kept in memory, and no class is loaded that only a checkpoint needs. Any thread may call.
  */
 final class RenderCheckpointer implements RowSink, Closeable {
     /** After so many milliseconds a checkpoint is begun, if none was asked for. */
@@ -280,6 +280,14 @@ final class RenderCheckpointer implements RowSink, Closeable {
     /** Ends the rendering because the program is told to stop, and says what is kept. */
     private void interrupted() {
         renderer.cancel();
+        Map<String, String> picture = null;
+        if (hasEarlyRows() && isTerminated()) {
+            try {
+                picture = identity.get();                     // while the rendering ends
+            } catch (OutOfMemoryError e) {
+                giveUp("there is no memory left for it");
+            }
+        }
         try {
             closed.await(PATIENCE, TimeUnit.MILLISECONDS);
             if (timer != null && Progress.seconds(start, System.nanoTime()) * 1000 > late) {
@@ -289,6 +297,9 @@ final class RenderCheckpointer implements RowSink, Closeable {
             Thread.currentThread().interrupt();
         }
         synchronized (this) {
+            if (picture != null) {
+                beginCheckpoint(picture);
+            }
             end();
             if (!done) {
                 notes.fail("interrupted" + (rows == 0
@@ -298,5 +309,22 @@ final class RenderCheckpointer implements RowSink, Closeable {
                         + notes.command()));
             }
         }
+    }
+
+    private synchronized boolean hasEarlyRows() {
+        return early != null && !early.isEmpty();
+    }
+
+    /**
+     * {@return whether the program is told to stop by SIGTERM} So schedulers do, which begin it again; who types Ctrl+C within seconds does not
+     * want to. The JVM handles a signal on a thread that it names after it.
+     */
+    private static boolean isTerminated() {
+        for (Thread thread : Thread.getAllStackTraces().keySet()) {
+            if (thread.getName().equals("SIGTERM handler")) {
+                return true;
+            }
+        }
+        return false;
     }
 }

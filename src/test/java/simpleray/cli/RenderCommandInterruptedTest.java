@@ -24,7 +24,7 @@ class RenderCommandInterruptedTest {
 
     @Test
     @Timeout(value = 60, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
-    void theOldPictureStaysAndNothingHalfIsLeft() throws IOException, InterruptedException {
+    void theOldPictureStaysAndOnlyACheckpointIsLeft() throws IOException, InterruptedException {
         String mirror = " 0.001 0.001 0.001  0 0 0  1 1 1  1000 ";
         Files.writeString(folder.resolve("slow.scene"), "2  1 0 0 1 -2" + mirror + "1 0 0 1 4" + mirror + "1 1 1  0");
         Files.writeString(folder.resolve("slow.png"), "the old picture");
@@ -43,7 +43,7 @@ class RenderCommandInterruptedTest {
             process.destroyForcibly();
         }
         assertThat(process.exitValue()).isEqualTo(SIGTERM);
-        assertThat(files()).containsExactlyInAnyOrder("slow.scene", "slow.png");
+        assertThat(files()).containsExactlyInAnyOrder("slow.scene", "slow.png", "slow.png.part");
         assertThat(folder.resolve("slow.png")).hasContent("the old picture");
     }
 

@@ -19,6 +19,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** A rendering that is told to stop (SIGINT, SIGTERM) says how to go on, and leaves nothing half done but its checkpoint. */
 @Timeout(value = 120, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
@@ -37,9 +38,8 @@ class RenderCommandStoppedTest {
         Files.writeString(folder.resolve("slow.png"), "the old picture");
     }
 
-    private Process start(int rows, String... options) throws IOException {
+    private Process start(String... options) throws IOException {
         List<String> args = new ArrayList<>(SLOW);
-        args.addAll(List.of("--size", "4x" + rows));
         args.addAll(List.of(options));
         ProcessBuilder program = Program.program(folder, List.of(), args.toArray(new String[0]));
         if (isInterruptIgnored()) {
@@ -76,7 +76,7 @@ class RenderCommandStoppedTest {
     @ParameterizedTest
     @CsvSource({"INT, 130", "TERM, 143"})
     void finishedRowsAreKeptAndTheCommandThatGoesOnIsTold(String signal, int exitCode) throws IOException, InterruptedException {
-        Process process = start(5000, "--checkpoint", "rows", "--progress", "plain", "--restart");
+        Process process = start("--size", "4x5000", "--checkpoint", "rows", "--progress", "plain", "--restart");
         assumeTrue(process.supportsNormalTermination(), "no signals here");
         try (BufferedReader err = process.errorReader()) {
             assertThat(err.readLine()).startsWith(" 10 %, 500 of 5000 rows, ");
@@ -93,7 +93,7 @@ class RenderCommandStoppedTest {
 
     @Test
     void aShortRenderingKeepsNothingAndSaysSo() throws IOException, InterruptedException {
-        Process process = start(3000, "--progress", "plain");
+        Process process = start("--size", "4x3000", "--progress", "plain");
         assumeTrue(process.supportsNormalTermination(), "no signals here");
         try (BufferedReader err = process.errorReader()) {
             assertThat(err.readLine()).startsWith(" 10 %, 300 of 3000 rows, ");
@@ -106,12 +106,60 @@ class RenderCommandStoppedTest {
         assertFiles("my slow.scene", "slow.png");
     }
 
+    /** A scheduler that takes the machine away gives it back later. */
+    @ParameterizedTest
+    @ValueSource(strings = {"", "--band 2/3"})
+    void aShortRenderingThatASchedulerStopsKeepsItsRows(String band) throws IOException, InterruptedException {
+        String[] options = ("--progress plain --size 4x" + (band.isEmpty() ? "600 " : "1800 ") + band).split(" ");
+        Process process = start(options);
+        assumeTrue(process.supportsNormalTermination(), "no signals here");
+        try (BufferedReader err = process.errorReader()) {
+            assertThat(err.readLine()).startsWith(" 10 %, 60 of 600 rows, ");
+
+            assertThat(stopped(process, err, "TERM", ExitCode.TERMINATED))
+                .matches("simpleray: interrupted: \\d+ of 600 rows are kept in slow.png.part; to go on: simpleray render .* --resume\n");
+        } finally {
+            process.destroyForcibly();
+        }
+        assertFiles("my slow.scene", "slow.png", "slow.png.part");
+
+        assertThat(finished(options, "--resume")).startsWith("simpleray: going on with ");
+        byte[] resumed = Files.readAllBytes(folder.resolve("slow.png"));
+        assertThat(finished(options, "--restart")).doesNotContain("going on");
+        assertThat(folder.resolve("slow.png")).hasBinaryContent(resumed);
+    }
+
+    private String finished(String[] options, String last) throws IOException, InterruptedException {
+        List<String> args = new ArrayList<>(SLOW);
+        args.addAll(List.of(options));
+        args.add(last);
+        Program.Result result = Program.run(folder, args.toArray(new String[0]));
+        assertThat(result.exitCode()).as(result.err()).isZero();
+        return result.err();
+    }
+
+    /** It is told on standard output, too, if a scheduler reads there. */
+    @Test
+    void whoReadsTheLinesOfASchedulerReadsWhy() throws IOException, InterruptedException {
+        Process process = start("--size", "4x3000", "--progress", "openjd", "--checkpoint", "rows");
+        assumeTrue(process.supportsNormalTermination(), "no signals here");
+        try (BufferedReader out = process.inputReader(); BufferedReader err = process.errorReader()) {
+            assertThat(out.readLine()).isEqualTo("openjd_progress: 1.0");
+            String message = stopped(process, err, "TERM", ExitCode.TERMINATED);
+
+            assertThat(message).startsWith("simpleray: interrupted: ").hasLineCount(1);
+            assertThat(out.lines().filter(line -> line.startsWith("openjd_fail: "))).containsExactly("openjd_fail: " + message.strip());
+        } finally {
+            process.destroyForcibly();
+        }
+    }
+
     /** Takes a little more than the 10 s after which rows are kept. */
     @Tag("slow")
     @Test
     void aRenderingThatLastsKeepsItsRowsFromTheFirstOn() throws IOException, InterruptedException {
         long begin = System.nanoTime();
-        Process process = start(50_000);
+        Process process = start("--size", "4x50000");
         assumeTrue(process.supportsNormalTermination(), "no signals here");
         Path part = folder.resolve("slow.png.part");
         try (BufferedReader err = process.errorReader()) {
