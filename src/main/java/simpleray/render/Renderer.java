@@ -28,6 +28,8 @@ public final class Renderer {
     private static final int MAX_EARLY = 64;
     private static final int MAX_EARLY_PIXELS = 64_000;
     private static final int EARLY_PART = 8;
+    /** After so many nanoseconds early rows are left as they are, so that a slow picture has whole rows to be kept. */
+    private static final long MAX_EARLY_TIME = 1_000_000_000;
     /** The distance between early rows, as a share of the picture: the golden ratio spreads any number of rows evenly. */
     private static final double APART = 0.6180339887498949;
     /** The step between columns of early rows. Since it is a prime above any width, steps modulo the width reach each column once. */
@@ -43,13 +45,18 @@ public final class Renderer {
     private final ScanlineQueue rows;
     private volatile Throwable fault;                         // the first exception of a thread; if two come at once, either
     private volatile boolean cancelled;
-    private final Map<Integer, double[]> early = new ConcurrentHashMap<>();   // rows that wait for their turn
+    private final Map<Integer, EarlyRow> early = new ConcurrentHashMap<>();   // that wait for their turn
+    private long maxEarlyTime = MAX_EARLY_TIME;
     private final AtomicInteger nextEarly = new AtomicInteger();
     private volatile CompiledScene ready;                     // kept for the explainer
     private volatile ProgressiveRenderer passes;              // null unless rendering in passes
     private boolean paused;
     private IntFunction<double[]> known;                      // null if no row is known
     private RenderStats stats;
+
+    /** A row of which so many pixels, in the order of early rows, are rendered. */
+    private record EarlyRow(double[] light, int pixels) {
+    }
 
     /**
      * Prepares a rendering. The renderer can be used once.
@@ -268,15 +275,26 @@ public final class Renderer {
         int width = picture.width();
         double[][] lights = new double[count][3 * width];
         Colour colour = new Colour();
-        for (int i = 0; i < width; i++) {
-            int x = (int) ((long) i * JUMP % width);
+        long begin = System.nanoTime();
+        int pixels = 0;
+        while (pixels < width && System.nanoTime() - begin < maxEarlyTime) {
+            int x = earlyColumn(pixels++);
             for (int k = 0; k < count && !cancelled; k++) {
                 renderPixel(x, numbers[k], lights[k], own, colour);
             }
         }
         for (int k = 0; k < count && !cancelled; k++) {
-            early.put(numbers[k], lights[k]);
+            early.put(numbers[k], new EarlyRow(lights[k], pixels));
         }
+    }
+
+    private int earlyColumn(int pixel) {
+        return (int) ((long) pixel * JUMP % picture.width());
+    }
+
+    /** Sets how long rows are rendered early, in nanoseconds. */
+    void setMaxEarlyTime(long nanoseconds) {
+        maxEarlyTime = nanoseconds;
     }
 
     /** {@return the number of rows that are rendered early} None if sampling is adaptive, since their neighbours are not traced yet. */
@@ -284,10 +302,17 @@ public final class Renderer {
         return firstPoints != null ? 0 : Math.min(Math.min(MAX_EARLY, MAX_EARLY_PIXELS / picture.width()), picture.height() / EARLY_PART);
     }
 
-    /** {@return the light of a row that is rendered already; null if it is not} */
-    private double[] kept(int y) {
-        double[] row = early.remove(y);
-        return row == null && known != null ? known.apply(y) : row;
+    /** {@return the light of a row that is known, or was begun early and is finished now; null for others} */
+    private double[] kept(int y, Sampler own) {
+        EarlyRow begun = early.remove(y);
+        if (begun == null) {
+            return known == null ? null : known.apply(y);
+        }
+        Colour colour = new Colour();
+        for (int i = begun.pixels; i < picture.width() && !cancelled; i++) {
+            renderPixel(earlyColumn(i), y, begun.light, own, colour);
+        }
+        return begun.light;
     }
 
     private Sampler sampler(Tracer tracer) {
@@ -311,7 +336,7 @@ public final class Renderer {
         renderEarly(own);
         double[] spare = null;                                // the array of a row that the listener released
         for (int y = rows.next(); y >= 0 && !cancelled; y = rows.next()) {
-            double[] row = kept(y);
+            double[] row = kept(y, own);
             boolean isNew = row == null;
             if (isNew) {
                 row = spare == null ? new double[3 * picture.width()] : spare;

@@ -68,6 +68,37 @@ class RendererTest {
         }
     }
 
+    @ParameterizedTest
+    @ValueSource(longs = {0, 1, 100_000, Long.MAX_VALUE})
+    void thePictureDoesNotDependOnTheTimeForEarlyRows(long nanoseconds) throws IOException {
+        Scene scene = ThesisScene.read();
+        RenderSettings settings = new RenderSettings(Stage.FINAL, DEPTH, 1, 1);
+        Picture expected = new Renderer(scene, new SimpleCamera(WIDTH, HEIGHT), settings).render(RenderListener.NONE);
+        CountingCamera camera = new CountingCamera(new SimpleCamera(WIDTH, HEIGHT));
+        Renderer renderer = new Renderer(scene, camera, settings);
+        renderer.setMaxEarlyTime(nanoseconds);
+
+        Picture picture = renderer.render(RenderListener.NONE);
+
+        for (int y = 0; y < HEIGHT; y++) {
+            assertThat(picture.row(y)).as("row " + y).isEqualTo(expected.row(y));
+        }
+        assertThat(camera.rays()).isEqualTo(WIDTH * HEIGHT);
+    }
+
+    /** So a slow picture that is told to stop has rows to keep. */
+    @Test
+    void rowsAreFinishedFromTheFirstOnceTheTimeForEarlyRowsIsOver() {
+        CountingCamera camera = new CountingCamera(new SimpleCamera(WIDTH, 80));
+        Renderer renderer = new Renderer(new Scene(), camera, new RenderSettings(Stage.FINAL, 0, 1, 1));
+        renderer.setMaxEarlyTime(0);
+        List<Long> rays = new CopyOnWriteArrayList<>();
+
+        renderer.render(y -> rays.add(camera.rays()));
+
+        assertThat(rays).hasSize(80).startsWith((long) WIDTH, 2L * WIDTH).endsWith(80L * WIDTH);
+    }
+
     @Test
     void theListenerIsCalledOnceForEachFinishedRow() {
         Renderer renderer = new Renderer(new Scene(), new SimpleCamera(3, 100), new RenderSettings(Stage.FINAL, 0, 1, 4));
