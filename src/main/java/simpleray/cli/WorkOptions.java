@@ -70,23 +70,25 @@ final class WorkOptions extends OptionGroup {
 
     /** Says that a picture is written. */
     void report(Main main, String name, Picture picture, double seconds) {
-        say(main, name + ": " + picture.width() + 'x' + picture.height() + ", " + Progress.time(seconds));
+        if (!quiet()) {                                       // to format a number takes its time
+            say(main, name + ": " + picture.width() + 'x' + picture.height() + ", " + Progress.time(seconds));
+        }
     }
 
     /** Says that a picture is there already. */
     void skipped(Main main, String name) {
-        if (!quiet() && main.lines() != null) {
-            main.lines().progress(ALL);
+        if (!quiet()) {
+            if (main.lines() != null) {
+                main.lines().progress(ALL);
+            }
+            say(main, name + ": is there already, whole and of the same scene and options: it is not rendered again");
         }
-        say(main, name + ": is there already, whole and of the same scene and options: it is not rendered again");
     }
 
-    private void say(Main main, String text) {
-        if (!quiet()) {
-            main.err().println(text);
-            if (main.lines() != null) {
-                main.lines().status(text);
-            }
+    private static void say(Main main, String text) {
+        main.err().println(text);
+        if (main.lines() != null) {
+            main.lines().status(text);
         }
     }
 }
