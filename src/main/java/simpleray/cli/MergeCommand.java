@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.concurrent.Callable;
+import java.util.stream.IntStream;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -153,17 +154,15 @@ final class MergeCommand implements Callable<Integer> {
     /** Tells of rows that no part has, and of the bands that they are if the parts are all of one number of bands. */
     private void missing(int from, int end) {
         Region whole = first.whole();
-        StringBuilder bands = new StringBuilder();
         int count = first.band().count();
-        boolean even = parts.stream().allMatch(part -> part.band().count() == count);
-        for (int i = 1; even && i <= count; i++) {
-            Region rows = new Band(i, count).of(whole);
-            if (rows.y() >= from && rows.bottom() <= end) {
-                bands.append(bands.length() == 0 ? " (--band " : ", ").append(i).append('/').append(count);
-            }
+        String bands = "";
+        if (parts.stream().allMatch(part -> part.band().count() == count)) {
+            List<Band> all = IntStream.rangeClosed(1, count).mapToObj(i -> new Band(i, count))
+                .filter(band -> band.of(whole).y() >= from && band.of(whole).bottom() <= end).toList();
+            bands = " (--band " + all.get(0) + (all.size() > 1 ? " to " + all.get(all.size() - 1) : "") + ')';
         }
         bad("simpleray: " + output + ": cannot be made: " + Band.rows(from - whole.y() + 1, end - whole.y(), whole.height())
-            + (end - from == 1 ? " is" : " are") + " missing" + (bands.length() == 0 ? "" : bands + ")"));
+            + (end - from == 1 ? " is" : " are") + " missing" + bands);
     }
 
     private void write(Picture picture, OutputStream out) throws CommandException {

@@ -165,10 +165,14 @@ final class VerifyCommand implements Callable<Integer> {
     }
 
     private int report(RowsCheck check, Picture rendered, PictureScene told, RenderRequest request) throws CommandException {
+        String named = picture;
+        int above = 0;
         Band band = request.band();
-        Region whole = request.whole(request.settings());
-        String named = picture + (band == null ? "" : ": part " + band + ", " + band.rows(whole));
-        int above = band == null ? 0 : band.of(whole).y() - whole.y();
+        if (band != null) {
+            Region whole = request.whole(request.settings());
+            named += ": part " + band + ", " + band.rows(whole);
+            above = band.of(whole).y() - whole.y();
+        }
         Pixel first = check.first();
         long all = (long) rendered.width() * rendered.height();
         String other = told.software().equals(Provenance.SOFTWARE) ? "" : " (made by " + told.software() + ", rendered again by "

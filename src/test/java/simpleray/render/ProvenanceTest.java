@@ -132,10 +132,31 @@ class ProvenanceTest {
             .hasMessage(folder.resolve("a.png") + ": was made of a region that is none: '" + region + "'");
     }
 
+    @Test
+    void aBandIsToldAndCanBeAskedForAgain() throws IOException {
+        RenderRequest request = new RenderRequest().with(new Region(3, 0, 7, 20)).with(new Band(2, 3));
+
+        List<PictureText> texts = Provenance.of(request, scene(GREY));
+
+        assertThat(text(texts, "simpleray.options"))
+            .isEqualTo("stage final\nregion 3,0,7,20\nband 2/3\nresolution 200 200\ndepth 10\nsamples 1\n");
+        assertThat(Provenance.request(told(texts), Accel.AUTO, 1).band()).isEqualTo(new Band(2, 3));
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"0/3", "2/1", "2", "2/3/4", "a/b", ""})
+    void aBandThatIsNoneIsAnError(String band) throws IOException {
+        PictureScene told = told(PictureScene.texts("SimpleRay 9", "stage final\nband " + band + '\n', scene(GREY).text()));
+
+        assertThatThrownBy(() -> Provenance.request(told, Accel.AUTO, 1)).isInstanceOf(PictureFormatException.class)
+            .hasMessage(folder.resolve("a.png") + ": was made of a band that is none: '" + band + "'");
+    }
+
     @ParameterizedTest
     @CsvSource({"stage first, was made with an option that this version does not know: 'stage first'",
         "stage final|lens 5, was made with an option that this version does not know: 'lens 5'",
         "stage final|stage final, was made with an option that this version does not know: 'stage final'",
+        "band 1/2|band 1/2|stage final, was made with an option that this version does not know: 'band 1/2'",
         "region 1;2;3;4|region 1;2;3;4|stage final, was made with an option that this version does not know: 'region 1;2;3;4'",
         "depth 4, does not tell the stage that it shows"})
     void whatCannotBeAskedForIsAnError(String options, String message) throws IOException {

@@ -114,6 +114,14 @@ class PngRowReaderTest {
     }
 
     @Test
+    void nothingIsReadOnceItIsClosed() throws IOException {
+        PngRowReader reader = new PngRowReader(write(Pictures.png(Pictures.plain(5, 4, 0.5))));
+        reader.close();
+
+        assertThatThrownBy(reader::next).isInstanceOf(NullPointerException.class);
+    }
+
+    @Test
     void theFiltersAreAddedUp() throws IOException {
         assertThat(read(small(packed(1, 1, 2, 3, 10, 20, 255, 2, 1, 1, 1, 1, 1, 1)))).containsExactly(
             new byte[] {1, 2, 3, 11, 22, 2}, new byte[] {2, 3, 4, 12, 23, 3});
