@@ -62,7 +62,7 @@ class CommandsUsageTest {
         "--background 1,-1,1 | Invalid value for option '--background': expected numbers of 0 or more, found '1,-1,1'",
         "--threads 0 | --threads must be 1 to 1024, and is 0",
         "--threads 1025 | --threads must be 1 to 1024, and is 1025",
-        "--progress much | Invalid value for option '--progress': expected one of [auto, bar, plain, none], found 'much'",
+        "--progress much | Invalid value for option '--progress': expected one of [auto, bar, plain, openjd, none], found 'much'",
         "--colour red | Unknown options: '--colour', 'red'"})
     void anOptionThatMakesNoSenseIsNamed(String options, String message) throws IOException {
         Path scene = Files.writeString(folder.resolve("grey.scene"), SmallScenes.GREY);
