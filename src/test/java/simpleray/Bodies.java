@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Map;
 import simpleray.math.Point;
 import simpleray.math.Vector;
+import simpleray.scene.Cone;
 import simpleray.scene.Cylinder;
 import simpleray.scene.Material;
 import simpleray.scene.Mesh;
@@ -31,6 +32,8 @@ final class Bodies {
         Map<String, Scene> bodies = new LinkedHashMap<>();
         bodies.put("sphere", scene(List.of(new Sphere(material, new Point(), 1))));
         bodies.put("cylinder", scene(List.of(new Cylinder(material, new Point(0, -1, 0), new Point(0, 1, 0), 1))));
+        bodies.put("double cone", scene(List.of(new Cone(material, new Point(), 1, new Point(0, 1.3, 0), 0),
+            new Cone(material, new Point(0, -1.2, 0), 0, new Point(), 1))));
         bodies.put("box of planes", scene(planes(material)));
         bodies.put("box of triangles", scene(triangles(material)));
         bodies.put("box as a mesh", scene(List.of(new Mesh(material, box(folder).toString(), new Point(), 1))));

@@ -19,7 +19,9 @@ import simpleray.image.Picture;
 import simpleray.math.Colour;
 import simpleray.math.Point;
 import simpleray.math.Vector;
+import simpleray.scene.AreaLight;
 import simpleray.scene.Camera;
+import simpleray.scene.Cone;
 import simpleray.scene.Cylinder;
 import simpleray.scene.DirectionalLight;
 import simpleray.scene.Light;
@@ -164,7 +166,7 @@ class MetamorphicTest {
     @Test
     void whatCannotBeSeenChangesNothing() throws IOException {
         assertNear(1, scene -> {
-            Scene other = copy(scene, 5);
+            Scene other = copy(scene, 6);
             int n = scene.getNumberObjects();
             Point middle = scene.getObject(5) instanceof Mesh cube ? cube.offset : null;
             Material bright = scene.getObject(1).surfaceMaterial;
@@ -173,6 +175,7 @@ class MetamorphicTest {
             other.setObject(n + 2, new Triangle(bright, middle, Point.add(middle, new Vector(0.1, 0.1, 0)),
                 Point.add(middle, new Vector(0, 0.1, -0.1))));
             other.setObject(n + 3, new Plane(bright, ((Plane) scene.getObject(0)).normal, -5));
+            other.setObject(n + 5, new Cone(bright, middle, 0.1, Point.add(middle, new Vector(0.1, 0, 0.1)), 0));
             try {
                 other.setObject(n + 4, new Mesh(bright, Bodies.box(folder).toString(), middle, 0.1));
             } catch (IOException e) {
@@ -214,7 +217,8 @@ class MetamorphicTest {
     }
 
     private static Light scaled(Light of, double times) {
-        Light light = of instanceof PointLight p ? new PointLight(p.origin) : new DirectionalLight(((DirectionalLight) of).direction);
+        Light light = of instanceof PointLight p ? new PointLight(p.origin) : of instanceof AreaLight a ? new AreaLight(a.corner, a.u, a.v, a.side)
+            : new DirectionalLight(((DirectionalLight) of).direction);
         light.intensity = Colour.scale(of.intensity, times);
         return light;
     }

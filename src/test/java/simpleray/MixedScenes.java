@@ -8,6 +8,8 @@ import java.util.Random;
 import simpleray.math.Colour;
 import simpleray.math.Point;
 import simpleray.math.Vector;
+import simpleray.scene.AreaLight;
+import simpleray.scene.Cone;
 import simpleray.scene.Cylinder;
 import simpleray.scene.DirectionalLight;
 import simpleray.scene.Material;
@@ -20,7 +22,7 @@ import simpleray.scene.Scene;
 import simpleray.scene.Sphere;
 import simpleray.scene.Triangle;
 
-/** Scenes at random with an object of each shape and of matt, mirror and glass, none in another's place, under two lamps and a sun. */
+/** Scenes at random with an object of each shape and of matt, mirror and glass, none in another's place, under two lamps, a sun and an area light. */
 final class MixedScenes {
     /** A free camera that sees all of them, and on whose picture nothing lies evenly. */
     static final PerspectiveCamera.Pose POSE = new PerspectiveCamera.Pose(0.3, 1.7, 6, 0.1, 0.2, 0, 45);
@@ -41,13 +43,16 @@ final class MixedScenes {
         objects.add(new Mesh(matt(random), Bodies.box(folder).toString(), place(random, 0, -0.9), 0.3 + 0.1 * random.nextDouble()));
         Point end = place(random, -0.6, 1.9);
         objects.add(new Cylinder(glass(random), end, Point.add(end, new Vector(0.5, 0.1, 0.2)), 0.15));
+        Point base = place(random, 1.1, 1.6);
+        objects.add(new Cone(matt(random), base, 0.25, Point.add(base, new Vector(0.1, 0.4, 0.1)), 0.1));
         Scene scene = Bodies.scene(objects);
         scene.ambient = new Colour(0.2, 0.15, 0.1);
         scene.settings.background = new Colour(0.1, 0.2, 0.4);
-        scene.setNumberLights(3);
+        scene.setNumberLights(4);
         scene.setLight(0, new PointLight(new Point(-3 + random.nextDouble(), 4, 3)));
         scene.setLight(1, new PointLight(new Point(2, 3 + random.nextDouble(), 5)));
         scene.setLight(2, new DirectionalLight(new Vector(-0.4, -1.3, -random.nextDouble())));
+        scene.setLight(3, new AreaLight(new Point(-1, 4, 1 + random.nextDouble()), new Vector(0.5, 0, 0.1), new Vector(0.1, 0.3, 0.4), 3));
         for (int i = 0; i < scene.getNumberLights(); i++) {
             scene.getLight(i).intensity = colour(random, 0.4);
         }

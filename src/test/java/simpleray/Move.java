@@ -10,7 +10,9 @@ import java.util.Locale;
 import simpleray.math.Point;
 import simpleray.math.Ray;
 import simpleray.math.Vector;
+import simpleray.scene.AreaLight;
 import simpleray.scene.Camera;
+import simpleray.scene.Cone;
 import simpleray.scene.Cylinder;
 import simpleray.scene.DirectionalLight;
 import simpleray.scene.Light;
@@ -98,6 +100,7 @@ record Move(Vector x, Vector y, Vector z, double scale, Vector shift) {
 
     private Light light(Light of) {
         Light light = of instanceof PointLight p ? new PointLight(point(p.origin))
+            : of instanceof AreaLight a ? new AreaLight(point(a.corner), Vector.scale(direction(a.u), scale), Vector.scale(direction(a.v), scale), a.side)
             : new DirectionalLight(direction(((DirectionalLight) of).direction));
         light.intensity = of.intensity;
         return light;
@@ -117,6 +120,9 @@ record Move(Vector x, Vector y, Vector z, double scale, Vector shift) {
         }
         if (of instanceof Cylinder c) {
             return new Cylinder(c.surfaceMaterial, point(c.start), point(c.end), scale * c.radius);
+        }
+        if (of instanceof Cone c) {
+            return new Cone(c.surfaceMaterial, point(c.start), scale * c.startRadius, point(c.end), scale * c.endRadius);
         }
         Mesh m = (Mesh) of;
         Path turned = Files.createTempFile(folder, "turned", ".obj");

@@ -8,6 +8,8 @@ import java.util.Random;
 import simpleray.math.Colour;
 import simpleray.math.Point;
 import simpleray.math.Vector;
+import simpleray.scene.AreaLight;
+import simpleray.scene.Cone;
 import simpleray.scene.Cylinder;
 import simpleray.scene.DirectionalLight;
 import simpleray.scene.Light;
@@ -75,7 +77,7 @@ public final class RandomScenes {
         int m = random.nextInt(4);
         scene.setNumberLights(m);
         for (int i = 0; i < m; i++) {
-            Light light = random.nextInt(3) == 0 ? new DirectionalLight(vector()) : new PointLight(point());
+            Light light = light();
             light.intensity = colour(1.5);
             scene.setLight(i, light);
         }
@@ -123,8 +125,20 @@ public final class RandomScenes {
         return material;
     }
 
+    private Light light() {
+        return switch (random.nextInt(6)) {
+            case 0, 1 -> new DirectionalLight(vector());
+            case 2 -> {
+                Vector u = vector();
+                yield new AreaLight(point(), Vector.scale(u, size()), Vector.scale(Vector.cross(u, new Vector(0.3, -0.5, 0.7)), size()),
+                    1 + random.nextInt(6));
+            }
+            default -> new PointLight(point());
+        };
+    }
+
     private Object object(Material material) {
-        return switch (random.nextInt(9)) {
+        return switch (random.nextInt(10)) {
             case 0 -> new Plane(material, vector(), 3 * scale * number());
             case 1, 2 -> new Triangle(material, point(), point(), point());
             case 3 -> {
@@ -132,6 +146,11 @@ public final class RandomScenes {
                 yield new Cylinder(material, start, Point.add(start, Vector.scale(vector(), 2 * size())), size());
             }
             case 4 -> mesh(material);
+            case 5 -> {
+                Point start = point();
+                double radius = random.nextInt(3) == 0 ? 0 : size();
+                yield new Cone(material, start, radius, Point.add(start, Vector.scale(vector(), 2 * size())), size());
+            }
             default -> new Sphere(material, point(), size());
         };
     }
@@ -154,6 +173,9 @@ public final class RandomScenes {
         }
         if (other instanceof Triangle t) {
             return new Triangle(material, t.b, t.c, t.a);
+        }
+        if (other instanceof Cone c) {
+            return new Cone(material, c.start, c.startRadius, c.end, c.endRadius);
         }
         return object(material);
     }

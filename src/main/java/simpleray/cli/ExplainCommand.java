@@ -51,6 +51,9 @@ final class ExplainCommand implements Callable<Integer> {
             + "with numbers to the last bit.")
     private Format format = Format.TEXT;
 
+    @Option(names = "--points", description = "Tell what each point of an area light adds, too, and not only their sum.")
+    private boolean points;
+
     @Mixin
     private PictureOptions picture;
 
@@ -86,7 +89,7 @@ final class ExplainCommand implements Callable<Integer> {
             throw CommandException.usage("the pixel " + pixel.x + ',' + pixel.y + " is outside the picture of " + explainer.width() + 'x'
                 + explainer.height() + ", whose last one is " + (explainer.width() - 1) + ',' + (explainer.height() - 1));
         }
-        PixelStory story = explainer.story(pixel.x, pixel.y);
+        PixelStory story = explainer.story(pixel.x, pixel.y, points);
         if (drawn) {
             drawing.draw(main, story, request, scene, read);
         }

@@ -9,7 +9,9 @@ import simpleray.math.Point;
 import simpleray.math.Vector;
 import simpleray.render.PixelStory;
 import simpleray.scene.Material;
+import simpleray.scene.RayTree.Area;
 import simpleray.scene.RayTree.Between;
+import simpleray.scene.RayTree.Contribution;
 import simpleray.scene.RayTree.Hit;
 import simpleray.scene.RayTree.Lamp;
 import simpleray.scene.RayTree.Next;
@@ -105,6 +107,34 @@ final class StoryJson {
         out.append('}');
     }
 
+    private void tell(Contribution light) {
+        if (light instanceof Area area) {
+            tell(area);
+        } else {
+            tell((Lamp) light);
+        }
+    }
+
+    private void tell(Area area) {
+        out.append('{');
+        thing(area.light());
+        colour("LC", area.intensity());
+        out.append(",\"points\":").append(area.points()).append(",\"whole\":").append(area.whole());
+        out.append(",\"dimmed\":").append(area.dimmed()).append(",\"blocked\":").append(area.blocked());
+        out.append(",\"turned away\":").append(area.turnedAway()).append(",\"shadows\":").append(area.shadows());
+        orNull("between", area.between(), this::told);
+        colour("diffuse", area.diffuse());
+        colour("specular", area.specular());
+        orNull("each", area.lamps(), this::tell);
+        out.append('}');
+    }
+
+    private void told(Thing thing) {
+        out.append('{');
+        thing(thing);
+        out.append('}');
+    }
+
     private void tell(Lamp lamp) {
         out.append('{');
         thing(lamp.light());
@@ -149,6 +179,15 @@ final class StoryJson {
         if (thing.mtl() != null) {
             out.append(",\"mtl\":{\"name\":").append(Json.string(thing.mtl().name())).append(",\"file\":").append(Json.string(thing.mtl().file()))
                 .append(",\"line\":").append(thing.mtl().line()).append('}');
+        }
+    }
+
+    private <T> void orNull(String name, List<T> all, Consumer<T> teller) {
+        if (all == null) {
+            name(name);
+            out.append("null");
+        } else {
+            list(name, all, teller);
         }
     }
 

@@ -10,7 +10,10 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import simpleray.math.Bounds;
 import simpleray.math.Colour;
+import simpleray.math.Point;
+import simpleray.scene.AreaLight;
 import simpleray.scene.Camera;
+import simpleray.scene.Light;
 import simpleray.scene.Mesh;
 import simpleray.scene.Object;
 import simpleray.scene.PointLight;
@@ -191,12 +194,19 @@ public final class PovExporter {
 
     private boolean holdsLight(Object object) {
         Bounds box = object.bounds();
-        for (int i = 0; i < scene.getNumberLights(); i++) {
-            if (object.isSolid() && scene.getLight(i) instanceof PointLight light && (box == null || box.contains(light.origin))) {
+        for (int i = 0; i < scene.getNumberLights() && object.isSolid(); i++) {
+            Light light = scene.getLight(i);
+            if (light instanceof PointLight lamp && (box == null || box.contains(lamp.origin))
+                    || light instanceof AreaLight area && meet(box, bounds(area))) {
                 return true;
             }
         }
         return false;
+    }
+
+    private static Bounds bounds(AreaLight area) {
+        Point other = Point.add(area.corner, area.u);
+        return Bounds.of(area.corner, other, Point.add(area.corner, area.v), Point.add(other, area.v));
     }
 
     /** {@return those whose boxes meet the box of another} */

@@ -4,7 +4,9 @@ import java.io.IOException;
 import simpleray.math.Colour;
 import simpleray.math.Point;
 import simpleray.math.Vector;
+import simpleray.scene.AreaLight;
 import simpleray.scene.Camera;
+import simpleray.scene.Cone;
 import simpleray.scene.Cylinder;
 import simpleray.scene.DirectionalLight;
 import simpleray.scene.Light;
@@ -26,6 +28,8 @@ import simpleray.text.SceneWriter;
 final class PovWriter {
     /** The distance of a directional light in POV-Ray, which has no infinity. */
     private static final double DISTANCE = 1e6;
+    /** The most points along a side of a block of an area light. */
+    private static final int MAX_BLOCK = 4;
 
     private PovWriter() {
     }
@@ -88,14 +92,51 @@ final class PovWriter {
         if (light instanceof PointLight lamp) {
             point(os, "light_source { ", lamp.origin);
             colour(os, ", ", colour);
+            os.writeString(" }\n");
         } else if (light instanceof DirectionalLight sun) {
             vector(os, "light_source { ", Vector.scale(sun.direction.normalised(), -DISTANCE));
             colour(os, ", ", colour);
-            os.writeString(" parallel point_at <0,0,0>");
+            os.writeString(" parallel point_at <0,0,0> }\n");
+        } else if (light instanceof AreaLight area) {
+            area(os, area, colour);
         } else {
             throw unknown("light " + (place + 1) + ": ", light);
         }
-        os.writeString(" }\n");
+    }
+
+    /**
+     * Writes an area light in square blocks of 1, 2 or 4 points a side. POV-Ray multiplies the mean shadow of its points by their mean light, which is right
+     * for points that are close together, and weighs them alike only if their number along a side is a power of two. Its points lie from edge to edge
+     * of its area, and not in the middles of cells.
+     */
+    private static void area(SceneWriter os, AreaLight area, Colour colour) throws IOException {
+        int n = area.side;
+        PointLight first = new PointLight();
+        PointLight last = new PointLight();
+        for (int row = 0, height; row < n; row += height) {
+            height = block(n, n - row);
+            for (int column = 0, width; column < n; column += width) {
+                width = Math.min(height, block(n, n - column));
+                for (int top = row; top < row + height; top += width) {
+                    area.point(top * n + column, first);
+                    area.point((top + width - 1) * n + column + width - 1, last);
+                    Vector across = Vector.subtract(last.origin, first.origin);
+                    point(os, "light_source { ", Point.add(first.origin, Vector.scale(across, 0.5)));
+                    colour(os, ", ", Colour.scale(colour, (double) width * width / (n * n)));
+                    if (width > 1) {
+                        vector(os, " area_light ", Vector.scale(area.u, (width - 1.0) / n));
+                        vector(os, ", ", Vector.scale(area.v, (width - 1.0) / n));
+                        os.writeString(", " + width + ", " + width + " area_illumination on");
+                    }
+                    os.writeString(" }\n");
+                }
+            }
+        }
+    }
+
+    /** {@return the side of a block of an area light of n points a side, of which so many are left} A power of two, at most a fourth of n. */
+    private static int block(int n, int left) {
+        return Integer.highestOneBit(Math.max(1, Math.min(left, Math.min(n / 4, MAX_BLOCK))));
     }
 
     /**
@@ -120,6 +161,12 @@ final class PovWriter {
             point(os, "cylinder { ", cylinder.start);
             point(os, ", ", cylinder.end);
             value(os, ", ", cylinder.radius);
+        } else if (object instanceof Cone cone) {
+            point(os, "cone { ", cone.start);
+            value(os, ", ", cone.startRadius);
+            point(os, ", ", cone.end);
+            value(os, ", ", cone.endRadius);
+            os.writeString(" open");
         } else if (object instanceof Mesh mesh) {
             mesh(os, mesh);
         } else {

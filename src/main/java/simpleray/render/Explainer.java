@@ -74,16 +74,30 @@ public final class Explainer {
      * @throws java.util.concurrent.CancellationException if the calling thread is interrupted
      */
     public PixelStory story(int x, int y) {
+        return story(x, y, false);
+    }
+
+    /**
+     * Explains why a pixel has its colour, as {@link #story(int, int)}.
+     *
+     * @param x the column, 0 at the left
+     * @param y the row, 0 at the top
+     * @param points whether each point of an area light is told, and not only their sum
+     * @return its story, whose colour is that of the picture to the last bit
+     * @throws IndexOutOfBoundsException if there is no such pixel
+     * @throws java.util.concurrent.CancellationException if the calling thread is interrupted
+     */
+    public PixelStory story(int x, int y, boolean points) {
         Objects.checkIndex(x, camera.width());
         Objects.checkIndex(y, camera.height());
-        RayTreeRecorder recorder = new RayTreeRecorder(scene);
+        RayTreeRecorder recorder = new RayTreeRecorder(scene, points);
         Integrator recorded = new WhittedIntegrator(scene, intersector, settings.stage().terms(), uncounted, recorder);
-        double[] points = sampler.points(x, y);
+        double[] places = sampler.points(x, y);
         boolean clamped = settings.samples() != 1;
         List<PixelStory.Sample> samples = new ArrayList<>();
         Colour colour = new Colour();
-        for (int i = 0; i < points.length; i += 2) {
-            Ray ray = camera.through(points[i], points[i + 1]);
+        for (int i = 0; i < places.length; i += 2) {
+            Ray ray = camera.through(places[i], places[i + 1]);
             Colour seen = new Colour();
             recorded.trace(ray, seen, settings.depth());
             if (settings.stage().isView()) {
@@ -93,7 +107,7 @@ public final class Explainer {
                 seen.clamp();
             }
             colour.add(seen);
-            samples.add(new PixelStory.Sample(points[i], points[i + 1], clamped, seen, recorder.tree()));
+            samples.add(new PixelStory.Sample(places[i], places[i + 1], clamped, seen, recorder.tree()));
         }
         boolean mean = samples.size() > 1;
         if (mean) {

@@ -11,6 +11,8 @@ import simpleray.math.Point;
 import simpleray.math.Vector;
 import simpleray.scene.Material;
 import simpleray.scene.RayTree;
+import simpleray.scene.RayTree.Area;
+import simpleray.scene.RayTree.Contribution;
 import simpleray.scene.RayTree.Hit;
 import simpleray.scene.RayTree.Lamp;
 import simpleray.scene.RayTree.Next;
@@ -149,17 +151,54 @@ public final class StoryText {
         level++;
         say("Ka " + colour(material.ambient) + ", GA " + colour(hit.light()));
         level--;
-        hit.lamps().forEach(lamp -> tell(lamp, material));
+        for (Contribution light : hit.lamps()) {
+            say("light " + named(light.light()) + ": " + both(light));
+            level++;
+            if (light instanceof Area area) {
+                tell(area, material);
+            } else {
+                tell((Lamp) light, material);
+            }
+            level--;
+        }
         say("diffuse of all lights: " + colour(hit.diffuse()));
         say("specular of all lights: " + colour(hit.specular()));
         tell(hit.mirror(), "mirror ray", material.mirror == null ? "Ks" : "mirror");
         tell(hit.refracted(), "refracted ray", "Kt");
     }
 
+    private static String both(Contribution light) {
+        return colour(Colour.add(light.diffuse(), light.specular()));
+    }
+
+    private void tell(Area area, Material material) {
+        say("of its " + area.points() + " points: " + area.whole() + (area.shadows() ? " reach the point" : " shine, for this stage has no shadows")
+            + some(area.dimmed(), "reach it dimmed") + some(area.blocked(), "blocked") + some(area.turnedAway(), "behind the surface"));
+        if (area.between() == null) {
+            say("too much is between to be told");
+        } else if (!area.between().isEmpty()) {
+            say("between: " + area.between().stream().map(StoryText::object).collect(Collectors.joining(", ")));
+        }
+        say("LC " + colour(area.intensity()) + ", of each point " + colour(Colour.scale(area.intensity(), 1.0 / area.points())));
+        say("diffuse " + colour(area.diffuse()) + ", Kd " + colour(material.diffuse));
+        say("specular " + colour(area.specular()) + ", Ks " + colour(material.specular) + ", shininess " + number(material.shininess));
+        if (area.lamps() == null) {
+            say("its points are not told any more: the pixel has too many of them");
+            return;
+        }
+        for (int i = 0; i < area.lamps().size(); i++) {
+            say("point " + (i + 1) + ": " + both(area.lamps().get(i)));
+            level++;
+            tell(area.lamps().get(i), material);
+            level--;
+        }
+    }
+
+    private static String some(int number, String what) {
+        return number == 0 ? "" : ", " + number + ' ' + what;
+    }
+
     private void tell(Lamp lamp, Material material) {
-        Colour both = Colour.add(lamp.diffuse(), lamp.specular());
-        say("light " + named(lamp.light()) + ": " + colour(both));
-        level++;
         say(switch (lamp.verdict()) {
             case TURNED_AWAY -> "the surface is turned away from it";
             case NO_SHADOWS -> "shines, for this stage has no shadows";
@@ -172,7 +211,6 @@ public final class StoryText {
         say("H " + vector(lamp.halfway()) + ", N.H " + number(lamp.cosine()));
         say("diffuse " + colour(lamp.diffuse()) + ", Kd " + colour(material.diffuse));
         say("specular " + colour(lamp.specular()) + ", Ks " + colour(material.specular) + ", shininess " + number(material.shininess));
-        level--;
     }
 
     private static String between(Lamp lamp) {

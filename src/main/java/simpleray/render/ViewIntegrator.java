@@ -2,10 +2,13 @@ package simpleray.render;
 
 import simpleray.math.Colour;
 import simpleray.math.Ray;
+import simpleray.scene.AreaLight;
 import simpleray.scene.Hit;
 import simpleray.scene.Integrator;
 import simpleray.scene.Interaction;
 import simpleray.scene.Intersector;
+import simpleray.scene.Light;
+import simpleray.scene.PointLight;
 import simpleray.scene.RayStats;
 import simpleray.scene.Recorder;
 import simpleray.scene.Scene;
@@ -36,6 +39,7 @@ final class ViewIntegrator implements Integrator {
     private final WhittedIntegrator followed;
     private final Hit hit = new Hit();
     private final Interaction at = new Interaction();
+    private final PointLight lamp = new PointLight();         // a point of an area light
     private final Colour left = new Colour();
 
     /** Notes the number of reflections and refractions on the longest path. */
@@ -117,12 +121,26 @@ final class ViewIntegrator implements Integrator {
     private void addLights(Colour colour) {
         int lights = scene.getNumberLights();
         for (int i = 0; i < lights; i++) {
-            set(left, 1, 1, 1);
-            visibility.reaches(scene.getLight(i), i, at, left);
-            colour.add(left);
+            Light light = scene.getLight(i);
+            if (light instanceof AreaLight area) {
+                visibility.approach(area, at);
+                for (int k = 0; k < area.points(); k++) {
+                    area.point(k, lamp);
+                    addLight(colour, lamp, i, 1.0 / area.points());
+                }
+                visibility.leave();
+            } else {
+                addLight(colour, light, i, 1);
+            }
         }
         if (lights > 0) {
             colour.scale(1.0 / lights);
         }
+    }
+
+    private void addLight(Colour colour, Light light, int number, double share) {
+        set(left, share, share, share);
+        visibility.reaches(light, number, at, left);
+        colour.add(left);
     }
 }

@@ -1,6 +1,7 @@
 package simpleray.scene;
 
 import simpleray.math.Colour;
+import simpleray.math.Point;
 import simpleray.math.Ray;
 
 /**
@@ -27,4 +28,18 @@ public interface Intersector {
      * @return whether nothing is left of it
      */
     boolean occluded(Ray ray, double distance, int light, Colour left);
+
+    /**
+     * Announces that until {@link #leave} all calls of {@link #occluded} are for rays between one point and points of an area light. An intersector may
+     * find what lies between once for all of them.
+     *
+     * @param from the point
+     * @param light the light
+     */
+    default void approach(Point from, AreaLight light) {
+    }
+
+    /** Ends what {@link #approach} began. */
+    default void leave() {
+    }
 }

@@ -12,7 +12,8 @@ final class ObjectKind {
         .add(new Kind<>(1, "plane", Plane.class) { @Override Object make() { return new Plane(); } })
         .add(new Kind<>(2, "triangle", Triangle.class) { @Override Object make() { return new Triangle(null, null, null, null); } })
         .add(new Kind<>(3, "cylinder", Cylinder.class) { @Override Object make() { return new Cylinder(null, null, null, 1); } })
-        .add(new Kind<>(4, "mesh", Mesh.class) { @Override Object make() { return new Mesh(); } });
+        .add(new Kind<>(4, "mesh", Mesh.class) { @Override Object make() { return new Mesh(); } })
+        .add(new Kind<>(5, "cone", Cone.class) { @Override Object make() { return new Cone(null, null, 0, null, 0); } });
 
     private ObjectKind() {
     }

@@ -73,18 +73,56 @@ public record RayTree(Ray ray, int depth, boolean told, Hit hit, Colour colour) 
      * @param material its material there
      * @param light the scene's ambient light, GA
      * @param ambient Ka * GA; black if the picture does not show it
-     * @param lamps the contribution of each light
+     * @param lamps the contribution of each light: a {@link Lamp}, or an {@link Area} of an area light
      * @param diffuse the sum of their diffuse parts
      * @param specular the sum of their specular parts
      * @param mirror the contribution of the mirror ray; null if there is none
      * @param refracted the contribution of the refracted ray; null if there is none
      */
     public record Hit(Thing object, double distance, Point point, Vector normal, boolean enters, Material material, Colour light,
-            Colour ambient, List<Lamp> lamps, Colour diffuse, Colour specular, Next mirror, Next refracted) {
+            Colour ambient, List<Contribution> lamps, Colour diffuse, Colour specular, Next mirror, Next refracted) {
+    }
+
+    /** The contribution of a light at a hit. */
+    public sealed interface Contribution permits Lamp, Area {
+        /** {@return the light} */
+        Thing light();
+
+        /** {@return its colour, LC} */
+        Colour intensity();
+
+        /** {@return its diffuse term} Black if the picture does not show it. */
+        Colour diffuse();
+
+        /** {@return its specular term} Black if the picture does not show it. */
+        Colour specular();
     }
 
     /**
-     * The contribution of a light at a hit.
+     * The contribution of an area light at a hit: that of all its points, which add up to its terms to the last bit, in their order.
+     *
+     * @param light the light
+     * @param intensity its colour, LC
+     * @param points the number of its points
+     * @param shadows whether this picture has shadows; without, all points that the surface faces reach it
+     * @param whole the number of points whose light arrives undimmed
+     * @param dimmed the number of those whose light arrives dimmed
+     * @param blocked the number of those whose light is blocked
+     * @param between the objects between the hit and some point, in the order of the scene; null if finding them would take too long
+     * @param diffuse the sum of the points' diffuse terms; black if the picture does not show it
+     * @param specular the sum of their specular terms; black if the picture does not show it
+     * @param lamps each point's own contribution, if it is asked for, or else empty; null if the pixel has too many of them
+     */
+    public record Area(Thing light, Colour intensity, int points, boolean shadows, int whole, int dimmed, int blocked, List<Thing> between,
+            Colour diffuse, Colour specular, List<Lamp> lamps) implements Contribution {
+        /** {@return the number of points from which the surface is turned away} */
+        public int turnedAway() {
+            return points - whole - dimmed - blocked;
+        }
+    }
+
+    /**
+     * The contribution of a light at a hit, or of a point of an area light.
      *
      * @param light the light
      * @param intensity its colour, LC
@@ -100,7 +138,7 @@ public record RayTree(Ray ray, int depth, boolean told, Hit hit, Colour colour) 
      * @param specular Ks * arriving * (N.H)^shininess; black if the picture does not show it
      */
     public record Lamp(Thing light, Colour intensity, double distance, Vector towards, double facing, Vector halfway, double cosine,
-            Verdict verdict, List<Between> between, Colour arriving, Colour diffuse, Colour specular) {
+            Verdict verdict, List<Between> between, Colour arriving, Colour diffuse, Colour specular) implements Contribution {
     }
 
     /**

@@ -4,12 +4,15 @@ import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
+import java.util.TreeSet;
 import java.util.concurrent.CancellationException;
+import java.util.stream.IntStream;
 import simpleray.math.Colour;
 import simpleray.math.Point;
 import simpleray.math.Ray;
 import simpleray.math.Vector;
 import simpleray.scene.RayTree.Between;
+import simpleray.scene.RayTree.Contribution;
 import simpleray.scene.RayTree.Lamp;
 import simpleray.scene.RayTree.Next;
 import simpleray.scene.RayTree.Thing;
@@ -23,13 +26,36 @@ public final class RayTreeRecorder implements Recorder {
     /** The most rays recorded in full; of later ones only the colours are, since a tree of much glass would fill the memory. */
     public static final int MAX_RAYS = 10_000;
 
+    /** The most points of area lights that are recorded one by one. */
+    public static final int MAX_POINTS = 1 << 15;
+    /** The most tests of objects that find what lies between a pixel's hits and points of area lights, some tenths of a second. */
+    private static final long MAX_TESTS = 1L << 24;
+
     private final Scene scene;
     private final BruteForceIntersector all;
+    private final boolean each;
     private final boolean opaque;
     private final int most;
+    private final int mostPoints;
+    private final long mostTests;
     private final Deque<Node> open = new ArrayDeque<>();      // the rays that have not ended, the latest first
     private int rays;
+    private int points;                                       // of area lights, recorded one by one
+    private long tests;
+    private final PointLight lamp = new PointLight();
+    private AreaSum area;                                     // the area light whose points are being computed; null if none
     private RayTree latest;
+
+    /** An area light, as far as its points are known. */
+    private static final class AreaSum {
+        boolean shadows;
+        int whole;
+        int dimmed;
+        int blocked;
+        int turnedAway;
+        TreeSet<Integer> between = new TreeSet<>();           // null once it would take too long
+        List<Lamp> lamps = new ArrayList<>();                 // null once there are too many
+    }
 
     /** A ray that has not ended, as far as it is known. */
     private static final class Node {
@@ -42,7 +68,7 @@ public final class RayTreeRecorder implements Recorder {
         Vector normal;
         boolean enters;
         Material material;
-        final List<Lamp> lamps = new ArrayList<>();
+        final List<Contribution> lamps = new ArrayList<>();
         Colour ambient;
         Colour diffuse;
         Colour specular;
@@ -57,18 +83,31 @@ public final class RayTreeRecorder implements Recorder {
     }
 
     /**
-     * Creates a recorder for one pixel.
+     * Creates a recorder for one pixel, which does not record each point of an area light.
      *
      * @param scene the scene, which must not change meanwhile
      */
     public RayTreeRecorder(Scene scene) {
-        this(scene, MAX_RAYS);
+        this(scene, false);
     }
 
-    /** Creates a recorder with another limit of rays recorded in full. */
-    RayTreeRecorder(Scene scene, int most) {
+    /**
+     * Creates a recorder for one pixel.
+     *
+     * @param scene the scene, which must not change meanwhile
+     * @param each whether each point of an area light is recorded, and not only their sum
+     */
+    public RayTreeRecorder(Scene scene, boolean each) {
+        this(scene, each, MAX_RAYS, MAX_POINTS, MAX_TESTS);
+    }
+
+    /** Creates a recorder with other limits of rays recorded in full, of points recorded one by one, and of tests. */
+    RayTreeRecorder(Scene scene, boolean each, int most, int mostPoints, long mostTests) {
         this.scene = scene;
+        this.each = each;
         this.most = most;
+        this.mostPoints = mostPoints;
+        this.mostTests = mostTests;
         all = new BruteForceIntersector(scene);
         boolean black = true;
         for (int i = 0; i < scene.getNumberObjects(); i++) {
@@ -117,6 +156,7 @@ public final class RayTreeRecorder implements Recorder {
         }
         if (level == 0) {
             open.clear();                                     // of a ray that was cancelled
+            area = null;
         }
         open.push(new Node(ray, depth, ++rays <= most));
     }
@@ -137,19 +177,76 @@ public final class RayTreeRecorder implements Recorder {
     @Override
     public void light(int number, VisibilityTester seen, Colour arriving, Vector halfway, double cosine, Colour diffuse, Colour specular) {
         Node node = open.peek();
+        if (!node.told) {
+            return;
+        }
+        Light light = scene.getLight(number);
+        Colour intensity = light.intensity;
+        if (light instanceof AreaLight of) {
+            area = area == null ? new AreaSum() : area;
+            area.shadows = seen.shadows;
+            of.point(0, lamp);                                // all its points have the same colour
+            intensity = new Colour(lamp.intensity);
+            count(node.point, seen, intensity, arriving);
+            if (!each || area.lamps == null || ++points > mostPoints) {
+                area.lamps = each ? null : List.of();
+                return;
+            }
+        }
+        Vector towards = new Vector(seen.towards);
+        List<Between> between = between(node.point, towards, seen, intensity, arriving);
+        Lamp told = new Lamp(light(number), intensity, seen.distance, towards, seen.facing, new Vector(halfway), cosine,
+            verdict(seen, between), between, new Colour(arriving), new Colour(diffuse), new Colour(specular));
+        if (area == null) {
+            node.lamps.add(told);
+        } else {
+            area.lamps.add(told);
+        }
+    }
+
+    private Thing light(int number) {
+        return new Thing(number + 1, LightKind.TABLE.name(scene.getLight(number)), scene.lightLine(number));
+    }
+
+    /** Counts whether a point of an area light reaches a hit, and finds what lies between. */
+    private void count(Point point, VisibilityTester seen, Colour intensity, Colour arriving) {
+        if (seen.facing <= 0) {
+            area.turnedAway++;
+            return;
+        }
+        boolean whole = isWhole(intensity, arriving);
+        area.whole += whole ? 1 : 0;
+        area.blocked += !whole && arriving.isBlack() ? 1 : 0;
+        area.dimmed += !whole && !arriving.isBlack() ? 1 : 0;
+        if (!whole && area.between != null) {
+            tests += scene.getNumberObjects();
+            if (tests > mostTests) {
+                area.between = null;
+            } else {
+                IntStream.of(all.between(new Ray(point, seen.towards), seen.end)).forEach(area.between::add);
+            }
+        }
+    }
+
+    private static boolean isWhole(Colour intensity, Colour arriving) {
+        return arriving.r == intensity.r && arriving.g == intensity.g && arriving.b == intensity.b;
+    }
+
+    @Override
+    public void points(int number, Colour diffuse, Colour specular) {
+        Node node = open.peek();
         if (node.told) {
-            Light light = scene.getLight(number);
-            Thing thing = new Thing(number + 1, LightKind.TABLE.name(light), scene.lightLine(number));
-            Vector towards = new Vector(seen.towards);
-            List<Between> between = between(node.point, towards, seen, light.intensity, arriving);
-            node.lamps.add(new Lamp(thing, light.intensity, seen.distance, towards, seen.facing, new Vector(halfway), cosine,
-                verdict(seen, between), between, new Colour(arriving), new Colour(diffuse), new Colour(specular)));
+            List<Thing> between = area.between == null ? null : area.between.stream().map(place -> object(scene, place)).toList();
+            int all = area.whole + area.dimmed + area.blocked + area.turnedAway;
+            node.lamps.add(new RayTree.Area(light(number), scene.getLight(number).intensity, all, area.shadows, area.whole, area.dimmed,
+                area.blocked, between, new Colour(diffuse), new Colour(specular), area.lamps == null ? null : List.copyOf(area.lamps)));
+            area = null;
         }
     }
 
     /** {@return the objects between a point and a light, up to the one that blocks} */
     private List<Between> between(Point point, Vector towards, VisibilityTester seen, Colour intensity, Colour arriving) {
-        boolean whole = !arriving.isBlack() && arriving.r == intensity.r && arriving.g == intensity.g && arriving.b == intensity.b;
+        boolean whole = !arriving.isBlack() && isWhole(intensity, arriving);
         if (!seen.shadows || seen.facing <= 0 || whole && opaque) {   // clear glass between does not dim
             return List.of();
         }

@@ -26,9 +26,9 @@ public interface Recorder {
     }
 
     /**
-     * The contribution of a light is computed.
+     * The contribution of a light is computed, or that of a point of an area light, whose points come one after another.
      *
-     * @param number its index in the scene
+     * @param number the light's index in the scene
      * @param seen its direction and distance, and whether the surface faces it
      * @param arriving the part of its colour that reaches the surface
      * @param halfway the unit vector H halfway between L and the way back along the ray
@@ -38,6 +38,16 @@ public interface Recorder {
      */
     default void light(int number, VisibilityTester seen, Colour arriving, Vector halfway, double cosine, Colour diffuse,
             Colour specular) {
+    }
+
+    /**
+     * All points of an area light are computed.
+     *
+     * @param number the light's index in the scene
+     * @param diffuse the sum of the diffuse terms of its points
+     * @param specular the sum of the specular ones
+     */
+    default void points(int number, Colour diffuse, Colour specular) {
     }
 
     /**

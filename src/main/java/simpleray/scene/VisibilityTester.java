@@ -36,9 +36,26 @@ public final class VisibilityTester {
     }
 
     /**
+     * Announces that until {@link #leave} all calls of {@link #reaches} are for points of one area light, seen from one surface.
+     *
+     * @param light the area light
+     * @param at the surface
+     */
+    public void approach(AreaLight light, Interaction at) {
+        if (shadows) {
+            intersector.approach(at.point, light);
+        }
+    }
+
+    /** Ends what {@link #approach} began. */
+    public void leave() {
+        intersector.leave();
+    }
+
+    /**
      * Computes how much of a light reaches a surface.
      *
-     * @param light the light
+     * @param light the light, or a point of an area light
      * @param number its index in the scene
      * @param at the surface
      * @param arriving the light's colour; gets the part that arrives, black if the surface is turned away

@@ -21,6 +21,9 @@ public final class WhittedIntegrator implements Integrator {
     private final VisibilityTester visibility;
     private final Light[] lights;
     private final Hit hit = new Hit();
+    private final PointLight lamp = new PointLight();         // a point of an area light
+    private final Colour diffuseBefore = new Colour();        // the sums of the lights before an area light
+    private final Colour specularBefore = new Colour();
     private final Colour arriving = new Colour();
     private final Vector halfway = new Vector();
     private Bounce[] bounces = {};                            // reused, so that rays allocate nothing
@@ -126,6 +129,12 @@ public final class WhittedIntegrator implements Integrator {
         }
     }
 
+    private static void set(Colour colour, double r, double g, double b) {
+        colour.r = r;
+        colour.g = g;
+        colour.b = b;
+    }
+
     private Bounce bounce(int level) {
         if (level == bounces.length) {
             bounces = Arrays.copyOf(bounces, level + 1);
@@ -136,7 +145,8 @@ public final class WhittedIntegrator implements Integrator {
 
     /**
      * Computes the local colour, Ka·GA + Σ LC (Kd (N·L) + Ks (N·H)^shininess) over the lights that reach the surface (thesis, chapter 4). The
-     * three terms are summed separately, so that pictures of single terms add up to the picture of all to the last bit.
+     * three terms are summed separately, so that pictures of single terms add up to the picture of all to the last bit. The points of an area
+     * light are summed row by row, and their sum is then added as that of any light.
      */
     private void setLocal(Colour colour, Ray ray, Interaction at) {
         Material material = at.material;
@@ -150,31 +160,60 @@ public final class WhittedIntegrator implements Integrator {
         double specularG = 0;
         double specularB = 0;
         for (int i = 0; i < lights.length && (terms.lights() || recorder != null); i++) {
-            arriving.copy(lights[i].intensity);
-            boolean lit = visibility.reaches(lights[i], i, at, arriving);
-            double facing = lit && terms.diffuse() ? visibility.facing : 0;
-            double highlight = 0;
-            double cosine = 0;
-            if (lit && shiny || recorder != null) {
-                Vector.subtract(halfway, visibility.towards, ray.direction);
-                halfway.normalise();
-                cosine = at.normal.dot(halfway);
-                highlight = lit && shiny ? Powers.power(Math.min(1, Math.max(0, cosine)), material.shininess) : 0;
+            Light light = lights[i];
+            AreaLight area = light instanceof AreaLight a ? a : null;
+            int points = 1;
+            if (area != null) {
+                points = area.points();
+                light = lamp;
+                set(diffuseBefore, diffuseR, diffuseG, diffuseB);
+                set(specularBefore, specularR, specularG, specularB);
+                diffuseR = diffuseG = diffuseB = 0;
+                specularR = specularG = specularB = 0;
+                visibility.approach(area, at);
             }
-            double r = facing == 0 ? 0 : kd.r * arriving.r * facing;
-            double g = facing == 0 ? 0 : kd.g * arriving.g * facing;
-            double b = facing == 0 ? 0 : kd.b * arriving.b * facing;
-            double shineR = highlight == 0 ? 0 : ks.r * arriving.r * highlight;
-            double shineG = highlight == 0 ? 0 : ks.g * arriving.g * highlight;
-            double shineB = highlight == 0 ? 0 : ks.b * arriving.b * highlight;
-            diffuseR += r;
-            diffuseG += g;
-            diffuseB += b;
-            specularR += shineR;
-            specularG += shineG;
-            specularB += shineB;
-            if (recorder != null) {
-                recorder.light(i, visibility, arriving, halfway, cosine, new Colour(r, g, b), new Colour(shineR, shineG, shineB));
+            for (int k = 0; k < points; k++) {
+                if (area != null) {
+                    area.point(k, lamp);
+                }
+                arriving.copy(light.intensity);
+                boolean lit = visibility.reaches(light, i, at, arriving);
+                double facing = lit && terms.diffuse() ? visibility.facing : 0;
+                double highlight = 0;
+                double cosine = 0;
+                if (lit && shiny || recorder != null) {
+                    Vector.subtract(halfway, visibility.towards, ray.direction);
+                    halfway.normalise();
+                    cosine = at.normal.dot(halfway);
+                    highlight = lit && shiny ? Powers.power(Math.min(1, Math.max(0, cosine)), material.shininess) : 0;
+                }
+                double r = facing == 0 ? 0 : kd.r * arriving.r * facing;
+                double g = facing == 0 ? 0 : kd.g * arriving.g * facing;
+                double b = facing == 0 ? 0 : kd.b * arriving.b * facing;
+                double shineR = highlight == 0 ? 0 : ks.r * arriving.r * highlight;
+                double shineG = highlight == 0 ? 0 : ks.g * arriving.g * highlight;
+                double shineB = highlight == 0 ? 0 : ks.b * arriving.b * highlight;
+                diffuseR += r;
+                diffuseG += g;
+                diffuseB += b;
+                specularR += shineR;
+                specularG += shineG;
+                specularB += shineB;
+                if (recorder != null) {
+                    recorder.light(i, visibility, arriving, halfway, cosine, new Colour(r, g, b), new Colour(shineR, shineG, shineB));
+                }
+            }
+            if (area != null) {
+                visibility.leave();
+                if (recorder != null) {
+                    recorder.points(i, new Colour(diffuseR, diffuseG, diffuseB), new Colour(specularR, specularG, specularB));
+                }
+                diffuseR += diffuseBefore.r;
+                diffuseG += diffuseBefore.g;
+                diffuseB += diffuseBefore.b;
+                specularR += specularBefore.r;
+                specularG += specularBefore.g;
+                specularB += specularBefore.b;
             }
         }
         boolean ambient = terms.ambient();

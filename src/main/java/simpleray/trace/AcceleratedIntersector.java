@@ -5,19 +5,26 @@ import simpleray.accel.BvhTraversal;
 import simpleray.accel.GridTraversal;
 import simpleray.accel.LightBuffer;
 import simpleray.accel.PrimitiveIntersector;
+import simpleray.accel.Shaft;
 import simpleray.math.Colour;
 import simpleray.math.Point;
 import simpleray.math.Ray;
 import simpleray.math.Vector;
+import simpleray.scene.AreaLight;
 import simpleray.scene.Hit;
 import simpleray.scene.Intersector;
 import simpleray.scene.Object;
 import simpleray.scene.Plane;
+import simpleray.scene.PointLight;
 import simpleray.scene.RayStats;
 import simpleray.scene.Sphere;
 
 /** Finds hits in a {@link CompiledScene}. <em>Mutable</em>: one thread's own. */
 final class AcceleratedIntersector implements Intersector, PrimitiveIntersector {
+    /** The fewest points of an area light for which a shaft pays, and the most objects in it. */
+    private static final int MIN_POINTS = 4;
+    private static final int MAX_IN_SHAFT = 48;
+
     private final CompiledScene compiled;
     private final RayStats stats;
     private final BvhTraversal traversal;                     // null if there is a grid, or objects are few
@@ -37,6 +44,12 @@ final class AcceleratedIntersector implements Intersector, PrimitiveIntersector 
     private final Hit scratch = new Hit();
     private int[] dimming = new int[16];                      // indices in the scene, in no order, perhaps repeated
     private int dimmers;
+
+    // the objects between a point and an area light, the one that blocked last at first
+    private final int[] inShaft = new int[MAX_IN_SHAFT];
+    private final Shaft shaft = new Shaft(inShaft);
+    private final PointLight lamp = new PointLight();
+    private int shaftSize = Shaft.NO_LIST;
 
     AcceleratedIntersector(CompiledScene compiled, RayStats stats) {
         this.compiled = compiled;
@@ -120,6 +133,8 @@ final class AcceleratedIntersector implements Intersector, PrimitiveIntersector 
                     stats.tests++;
                 }
             }
+        } else if (shaftSize != Shaft.NO_LIST) {
+            blocked = occludedInShaft();
         } else if (traversal != null) {
             blocked = traversal.occluded(compiled.bvh, o.x, o.y, o.z, d.x, d.y, d.z, distance);
             stats.steps = traversal.steps;
@@ -133,6 +148,42 @@ final class AcceleratedIntersector implements Intersector, PrimitiveIntersector 
             dim(left);
         }
         return left.isBlack();
+    }
+
+    @Override
+    public void approach(Point from, AreaLight light) {
+        int last = light.side - 1;
+        if (traversal != null && light.points() >= MIN_POINTS) {
+            shaft.set(0, from.x, from.y, from.z);
+            setCorner(1, light, 0);
+            setCorner(2, light, last);
+            setCorner(3, light, light.points() - 1);
+            setCorner(4, light, light.points() - 1 - last);
+            shaftSize = shaft.primitives(compiled.bvh);
+        }
+    }
+
+    private void setCorner(int i, AreaLight light, int point) {
+        light.point(point, lamp);
+        shaft.set(i, lamp.origin.x, lamp.origin.y, lamp.origin.z);
+    }
+
+    @Override
+    public void leave() {
+        shaftSize = Shaft.NO_LIST;
+    }
+
+    /** {@return whether an object in the shaft blocks the ray} It is then the first to be asked for the next ray. */
+    private boolean occludedInShaft() {
+        for (int k = 0; k < shaftSize; k++) {
+            if (occluded(inShaft, k, k + 1)) {
+                int blocker = inShaft[k];
+                inShaft[k] = inShaft[0];
+                inShaft[0] = blocker;
+                return true;
+            }
+        }
+        return false;
     }
 
     /** {@return t of the ray's nearest hit on a plane, infinite if it hits none} Notes the plane; of two at one t, the first. */

@@ -10,6 +10,7 @@ import simpleray.accel.PrimitiveBounds;
 import simpleray.accel.UniformGrid;
 import simpleray.math.Bounds;
 import simpleray.math.Point;
+import simpleray.scene.AreaLight;
 import simpleray.scene.Intersector;
 import simpleray.scene.Object;
 import simpleray.scene.Plane;
@@ -101,8 +102,10 @@ public final class CompiledScene {
         try (Pool pool = new Pool(threads)) {
             PrimitiveBounds bounds = bounded == 0 ? null : bounds(ids, all, pool);
             boolean forced = structure != Structure.AUTO && bounded > 0;
-            grid = structure != Structure.BVH && (forced || bounded >= MIN_MANY) ? UniformGrid.of(bounds, forced, pool) : null;
-            bvh = grid == null && (forced || parts(ids, all) >= MIN_MANY) ? Bvh.of(bounds, pool) : null;
+            boolean shafts = bounded > 0 && hasAreaLight(scene);      // only trees find what is in a shaft
+            boolean spread = structure != Structure.BVH && (forced || bounded >= MIN_MANY && !shafts);
+            grid = spread ? UniformGrid.of(bounds, forced, pool) : null;
+            bvh = grid == null && (forced || shafts || parts(ids, all) >= MIN_MANY) ? Bvh.of(bounds, pool) : null;
             unlisted = grid == null && bvh == null ? 0 : bounded;
             // from here on the order of the boxes is fixed, and the rest can be made in parallel
             Pool.Task<UniformGrid> filling = grid == null ? null : pool.begin(grid::fill);
@@ -170,6 +173,15 @@ public final class CompiledScene {
             }
         }
         return Arrays.copyOf(places, count);
+    }
+
+    private static boolean hasAreaLight(Scene scene) {
+        for (int i = 0; i < scene.getNumberLights(); i++) {
+            if (scene.getLight(i) instanceof AreaLight) {
+                return true;
+            }
+        }
+        return false;
     }
 
     private static long parts(int[] ids, Object[] all) {

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -85,6 +86,22 @@ class ExplainCommandTest {
             + json("'hit':{'number':2,'kind':'sphere','line':3,")
             + result.text().substring(result.text().indexOf("\"distance\":5.0")));
         assertThat(result.text()).endsWith("\"mirror\":null,\"refracted\":null}}},\"refracted\":null}}}]}\n");
+    }
+
+    @Test
+    void theJsonHasAnAreaLightAndOnRequestItsPoints() {
+        String scene = "2\n1 0 0 1 -2  0 0 0  1 1 1  0 0 0  1\n0 1.5 0 0 0.5  0 0 0  0 0 0  0 0 0  1\n0 0 0\n1\n"
+            + "2  1 0.5 0.25  -6 0 6  12 0 0  0 0 -16  2\n";
+        String[] line = {"explain", "-", "--pixel", "0,0", "--size", "1x1", "--format", "json", "--points"};
+        String few = InProcess.runWithInput(scene, Arrays.copyOf(line, line.length - 1)).text();
+        String all = InProcess.runWithInput(scene, line).text();
+
+        String sums = json("{'number':1,'kind':'area light','line':6,'LC':[1.0,0.5,0.25],'points':4,'whole':1,'dimmed':0,'blocked':1,")
+            + json("'turned away':2,'shadows':true,'between':[{'number':2,'kind':'sphere','line':3}],'diffuse':[0.2,0.1,0.05],")
+            + json("'specular':[0.0,0.0,0.0],'each':[");
+        assertThat(few).contains(sums + "]}]");
+        assertThat(all).contains(sums + json("{'number':1,'kind':'area light','line':6,'LC':[0.25,0.125,0.0625],'distance':5.0,"));
+        assertThat(all.split("\"verdict\"")).hasSize(5);
     }
 
     @Test

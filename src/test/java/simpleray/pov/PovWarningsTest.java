@@ -12,6 +12,7 @@ import simpleray.math.Bounds;
 import simpleray.math.Colour;
 import simpleray.math.Point;
 import simpleray.math.Vector;
+import simpleray.scene.AreaLight;
 import simpleray.scene.DirectionalLight;
 import simpleray.scene.Material;
 import simpleray.scene.Plane;
@@ -109,6 +110,12 @@ class PovWarningsTest {
         Scenes.light(outside, new DirectionalLight(), Scenes.pointLight(0, 1.5, 0));
         Scene clear = Scenes.of(clear(0, 0, 0));
         Scenes.light(clear, Scenes.pointLight(0, 0, 0));
+        Scene reachingIn = Scenes.of(dim(1));
+        Scenes.light(reachingIn, new AreaLight(new Point(0.5, 1.5, 0), new Vector(0, -1, 0), new Vector(0.1, 0, 0.1), 2));
+        Scene beside = Scenes.of(dim(1));
+        Scenes.light(beside, new AreaLight(new Point(0.5, 2.5, 0), new Vector(0, -1, 0), new Vector(0.1, 0, 0.1), 2));
+        assertThat(warnings(reachingIn, DEPTH, PovChannel.ALL)).containsExactly("object 1 may hold " + LIGHT_INSIDE);
+        assertThat(warnings(beside, DEPTH, PovChannel.ALL)).isEmpty();
 
         assertThat(warnings(inside, DEPTH, PovChannel.ALL)).containsExactly("object 1 may hold " + LIGHT_INSIDE);
         assertThat(warnings(outside, DEPTH, PovChannel.ALL)).isEmpty();

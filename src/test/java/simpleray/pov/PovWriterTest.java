@@ -2,16 +2,24 @@ package simpleray.pov;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
 import static simpleray.text.SceneText.written;
 
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import simpleray.math.Colour;
 import simpleray.math.Point;
 import simpleray.math.Vector;
+import simpleray.scene.AreaLight;
+import simpleray.scene.Cone;
 import simpleray.scene.Cylinder;
 import simpleray.scene.Light;
 import simpleray.scene.Material;
@@ -42,6 +50,64 @@ class PovWriterTest {
         Cylinder cylinder = new Cylinder(new Material(), new Point(1, 2, 3), new Point(4, 5, 6), 0.5);
 
         assertThat(shape(cylinder)).isEqualTo("cylinder { <1.0,2.0,3.0>, <4.0,5.0,6.0>, 0.5");
+    }
+
+    @Test
+    void aConeHasARadiusAtEachEndAndIsOpen() {
+        Cone cone = new Cone(new Material(), new Point(1, 2, 3), 0.5, new Point(4, 5, 6), 0);
+
+        assertThat(shape(cone)).isEqualTo("cone { <1.0,2.0,3.0>, 0.5, <4.0,5.0,6.0>, 0.0 open");
+    }
+
+    private static String light(int n) {
+        AreaLight light = new AreaLight(new Point(1, 2, 3), new Vector(16 * n, 0, 0), new Vector(0, 0, 8 * n), n);
+        return written(os -> PovWriter.light(os, light, 0, new Colour(n * n, 0, 0)));
+    }
+
+    @Test
+    void aSmallAreaLightIsAsManyPointLights() {
+        assertThat(light(1)).isEqualTo("light_source { <9.0,2.0,7.0>, rgb <1.0,0.0,0.0> }\n");
+        assertThat(light(2)).isEqualTo("""
+            light_source { <9.0,2.0,7.0>, rgb <1.0,0.0,0.0> }
+            light_source { <25.0,2.0,7.0>, rgb <1.0,0.0,0.0> }
+            light_source { <9.0,2.0,15.0>, rgb <1.0,0.0,0.0> }
+            light_source { <25.0,2.0,15.0>, rgb <1.0,0.0,0.0> }
+            """);
+        assertThat(light(7).lines()).hasSize(49).noneMatch(line -> line.contains("area_light"));
+    }
+
+    /** The blocks of 9 points a side: 2, 2, 2, 2 and 1. */
+    @Test
+    void aLargerOneIsOfBlocksWhosePointsLieFromEdgeToEdge() {
+        List<String> lines = light(9).lines().toList();
+        assertThat(lines).hasSize(4 * 4 + 4 * 2 + 9);
+        assertThat(lines.get(0)).isEqualTo("light_source { <17.0,2.0,11.0>, rgb <4.0,0.0,0.0> area_light <16.0,0.0,0.0>, <0.0,0.0,8.0>, 2, 2 "
+            + "area_illumination on }");
+        assertThat(lines.get(1)).startsWith("light_source { <49.0,2.0,11.0>, rgb <4.0,0.0,0.0> area_light ");
+        assertThat(lines.get(4)).isEqualTo("light_source { <137.0,2.0,7.0>, rgb <1.0,0.0,0.0> }");
+        assertThat(lines.get(5)).isEqualTo("light_source { <137.0,2.0,15.0>, rgb <1.0,0.0,0.0> }");
+        assertThat(light(8).lines()).hasSize(16);
+        assertThat(light(16).lines()).hasSize(16).allMatch(line -> line.contains("area_light <48.0,0.0,0.0>, <0.0,0.0,24.0>, 4, 4 "));
+        assertThat(light(64).lines()).hasSize(256).allMatch(line -> line.contains("rgb <16.0,0.0,0.0>"));
+    }
+
+    /** However its points are put together, they are all there: their mean is in the middle, and their sum the whole light. */
+    @ParameterizedTest
+    @ValueSource(ints = {3, 10, 13, 19, 23, 63})
+    void allPointsAreInSomeBlock(int n) {
+        double[] sums = new double[3];
+        Pattern numbers = Pattern.compile("<([^,]*),[^,]*,([^>]*)>, rgb <([^,]*),");
+        light(n).lines().forEach(line -> {
+            Matcher found = numbers.matcher(line);
+            assertThat(found.find()).isTrue();
+            double share = Double.parseDouble(found.group(3));
+            sums[0] += share;
+            sums[1] += share * Double.parseDouble(found.group(1));
+            sums[2] += share * Double.parseDouble(found.group(2));
+        });
+        assertThat(sums[0]).isEqualTo(n * n, within(1e-9));
+        assertThat(sums[1] / (n * n)).isEqualTo(1 + 8.0 * n, within(1e-9));
+        assertThat(sums[2] / (n * n)).isEqualTo(3 + 4.0 * n, within(1e-9));
     }
 
     @Test

@@ -46,6 +46,7 @@ class ExplainerTest {
         assertThat(sums.hits).isGreaterThan(600);
         assertThat(sums.blocked).isGreaterThan(50);
         assertThat(sums.dimmed).isGreaterThan(20);
+        assertThat(sums.areas).isGreaterThan(50);
         assertThat(sums.mirrored).isGreaterThan(100);
         assertThat(sums.refracted).isGreaterThan(50);
     }
@@ -162,13 +163,17 @@ class ExplainerTest {
 
         assertThat(story.hit().object()).isEqualTo(new RayTree.Thing(1, "plane", 3));
         assertThat(story.hit().ambient()).hasToString(new Colour(0.1, 0.1, 0.1).toString());
-        assertThat(story.hit().lamps()).extracting(RayTree.Lamp::light).containsExactly(new RayTree.Thing(1, "point light", 10),
+        assertThat(story.hit().lamps()).extracting(RayTree.Contribution::light).containsExactly(new RayTree.Thing(1, "point light", 10),
             new RayTree.Thing(2, "directional light", 11));
-        assertThat(story.hit().lamps()).extracting(RayTree.Lamp::verdict)
-            .containsExactly(RayTree.Verdict.BLOCKED, RayTree.Verdict.TURNED_AWAY);
-        assertThat(story.hit().lamps().get(0).between()).extracting(RayTree.Between::object)
+        assertThat(lamp(story, 0).verdict()).isEqualTo(RayTree.Verdict.BLOCKED);
+        assertThat(lamp(story, 1).verdict()).isEqualTo(RayTree.Verdict.TURNED_AWAY);
+        assertThat(lamp(story, 0).between()).extracting(RayTree.Between::object)
             .containsExactly(new RayTree.Thing(2, "sphere", 4));
-        assertThat(story.hit().lamps().get(1).between()).isEmpty();
+        assertThat(lamp(story, 1).between()).isEmpty();
+    }
+
+    private static RayTree.Lamp lamp(RayTree story, int light) {
+        return (RayTree.Lamp) story.hit().lamps().get(light);
     }
 
     @Test
@@ -180,7 +185,7 @@ class ExplainerTest {
             0 0 0  1
             0  1 0.5 1  0 9 -1
             """);
-        RayTree.Lamp lamp = explainer(scene, 3, Stage.FINAL, 10).story(1, 2).samples().get(0).tree().hit().lamps().get(0);
+        RayTree.Lamp lamp = lamp(explainer(scene, 3, Stage.FINAL, 10).story(1, 2).samples().get(0).tree(), 0);
 
         assertThat(lamp.verdict()).isEqualTo(RayTree.Verdict.DIMMED);
         assertThat(lamp.arriving()).hasToString(new Colour(0.5, 0.5, 0.25).toString());
@@ -227,7 +232,7 @@ class ExplainerTest {
         Explainer explainer = renderer.explainer();
         for (int y = 0; y < picture.height(); y += step) {
             for (int x = 0; x < picture.width(); x += step) {
-                PixelStory story = explainer.story(x, y);
+                PixelStory story = explainer.story(x, y, (x + y) % 2 == 0);
                 String pixel = where + ", pixel " + x + ',' + y;
                 sums.check(story.samples().get(0).tree(), pixel);
                 assertThat(story.samples()).hasSize(1);

@@ -2,9 +2,13 @@ package simpleray.render;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.EnumMap;
+import java.util.TreeSet;
 import simpleray.math.Colour;
 import simpleray.scene.RayTree;
+import simpleray.scene.RayTree.Area;
 import simpleray.scene.RayTree.Between;
+import simpleray.scene.RayTree.Contribution;
 import simpleray.scene.RayTree.Hit;
 import simpleray.scene.RayTree.Lamp;
 import simpleray.scene.RayTree.Next;
@@ -14,6 +18,8 @@ import simpleray.scene.RayTree.Verdict;
 final class StorySums {
     /** The number of rays that hit an object. */
     int hits;
+    /** The number of area lights at these hits. */
+    int areas;
     /** The numbers of blocked and of dimmed lights. */
     int blocked;
     int dimmed;
@@ -30,10 +36,14 @@ final class StorySums {
         assertSame(where, hit.ambient(), Colour.mult(hit.material().ambient, hit.light()));
         Colour diffuse = new Colour();
         Colour specular = new Colour();
-        for (Lamp lamp : hit.lamps()) {
-            check(lamp, hit, where);
-            diffuse.add(lamp.diffuse());
-            specular.add(lamp.specular());
+        for (Contribution light : hit.lamps()) {
+            if (light instanceof Area area) {
+                check(area, hit, where);
+            } else {
+                check((Lamp) light, hit, where);
+            }
+            diffuse.add(light.diffuse());
+            specular.add(light.specular());
         }
         assertSame(where, hit.diffuse(), diffuse);
         assertSame(where, hit.specular(), specular);
@@ -53,6 +63,33 @@ final class StorySums {
         sum.add(next.colour());
         check(next.tree(), where);
         return 1;
+    }
+
+    private void check(Area area, Hit hit, String where) {
+        areas++;
+        assertThat(area.turnedAway()).as(where).isNotNegative();
+        assertThat(area.between().isEmpty()).as(where).isEqualTo(area.dimmed() + area.blocked() == 0);
+        if (area.lamps().isEmpty()) {
+            return;
+        }
+        assertThat(area.lamps()).as(where).hasSize(area.points());
+        Colour diffuse = new Colour();
+        Colour specular = new Colour();
+        EnumMap<Verdict, Integer> verdicts = new EnumMap<>(Verdict.class);
+        TreeSet<Integer> between = new TreeSet<>();
+        for (Lamp lamp : area.lamps()) {
+            check(lamp, hit, where);
+            diffuse.add(lamp.diffuse());
+            specular.add(lamp.specular());
+            verdicts.merge(lamp.verdict(), 1, Integer::sum);
+            lamp.between().forEach(object -> between.add(object.object().number()));
+        }
+        assertSame(where, area.diffuse(), diffuse);
+        assertSame(where, area.specular(), specular);
+        assertThat(area.whole()).as(where).isEqualTo(verdicts.getOrDefault(Verdict.REACHES, 0));
+        assertThat(area.dimmed()).as(where).isEqualTo(verdicts.getOrDefault(Verdict.DIMMED, 0));
+        assertThat(area.blocked()).as(where).isEqualTo(verdicts.getOrDefault(Verdict.BLOCKED, 0));
+        assertThat(area.between().stream().map(RayTree.Thing::number)).as(where).containsExactlyElementsOf(between);
     }
 
     private void check(Lamp lamp, Hit hit, String where) {

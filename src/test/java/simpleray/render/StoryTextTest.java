@@ -7,7 +7,10 @@ import java.io.IOException;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import simpleray.math.Colour;
+import simpleray.math.Point;
 import simpleray.math.Ray;
+import simpleray.math.Vector;
+import simpleray.scene.Material;
 import simpleray.scene.RayTree;
 import simpleray.scene.Scene;
 import simpleray.scene.SimpleCamera;
@@ -148,6 +151,58 @@ class StoryTextTest {
     void aStageWithoutShadowsMentionsNone() throws IOException {
         assertThat(text("1 1 0 0 1 -2  1 1 1  0 0 0  0 0 0  1  0 0 0  1  0 1 1 1 0 0 0", Stage.LIGHTING, 1))
             .contains("\n        shines, for this stage has no shadows\n");
+    }
+
+    /** Of the light's points at (-3,0,2), (3,0,2), (-3,0,-6) and (3,0,-6) a ball blocks the second; the wall at z = -2 is turned away from the last two. */
+    private static final String AREA = "2\n1 0 0 1 -2  0 0 0  1 1 1  0 0 0  1\n0 1.5 0 0 0.5  0 0 0  0 0 0  0 0 0  1%s\n0 0 0\n1\n"
+        + "2  1 0.5 0.25  -6 0 6  12 0 0  0 0 -16  2\n";
+
+    @Test
+    void anAreaLightHasOneStory() throws IOException {
+        assertThat(text(AREA.formatted(""), Stage.FINAL, 1)).contains("""
+
+                  light 1 (area light, line 6): 0.2 0.1 0.05
+                    of its 4 points: 1 reach the point, 1 blocked, 2 behind the surface
+                    between: object 2 (sphere, line 3)
+                    LC 1 0.5 0.25, of each point 0.25 0.125 0.0625
+                    diffuse 0.2 0.1 0.05, Kd 1 1 1
+                    specular 0 0 0, Ks 0 0 0, shininess 1
+                  diffuse of all lights: 0.2 0.1 0.05
+            """.indent(0));
+        assertThat(text(AREA.formatted("  transmit 0.5 1 1 1"), Stage.FINAL, 1)).contains("1 reach the point, 1 reach it dimmed, 2 behind");
+        assertThat(text(AREA.formatted(""), Stage.LIGHTING, 1)).contains("of its 4 points: 2 shine, for this stage has no shadows, 2 behind the surface\n")
+            .doesNotContain("between: ");
+    }
+
+    @Test
+    void itsPointsHaveStoriesOnRequest() throws IOException {
+        Scene read = new Scene();
+        read.read(reader(AREA.formatted("")));
+        String text = StoryText.of(new Renderer(read, new SimpleCamera(1, 1), new RenderSettings(Stage.FINAL, 10, 1, 1)).explainer().story(0, 0, true));
+        assertThat(text).contains("""
+                    specular 0 0 0, Ks 0 0 0, shininess 1
+                    point 1: 0.2 0.1 0.05
+                      reaches the point
+                      LC 0.25 0.125 0.0625, distance 5
+                      L (-0.6 0 0.8), N.L 0.8
+            """.indent(0)).contains("""
+                    point 2: 0 0 0
+                      blocked by object 2 (sphere, line 3)
+            """.indent(0)).contains("point 4: ").doesNotContain("point 5: ");
+    }
+
+    @Test
+    void whatIsNotToldOfAnAreaLightIsSaid() {
+        RayTree.Area area = new RayTree.Area(new RayTree.Thing(1, "area light", 0), new Colour(1, 1, 1), 4, true, 0, 0, 4, null, new Colour(),
+            new Colour(), null);
+        RayTree.Hit hit = new RayTree.Hit(new RayTree.Thing(1, "plane", 0), 1, new Point(), new Vector(0, 0, 1), true, new Material(), new Colour(),
+            new Colour(), List.of(area), new Colour(), new Colour(), null, null);
+        RayTree story = new RayTree(new Ray(), 4, true, hit, new Colour());
+        assertThat(StoryText.of(new PixelStory(0, 0, 1, 1, Stage.FINAL, false, List.of(new PixelStory.Sample(0, 0, false, new Colour(), story)),
+            new Colour()))).contains("""
+                    of its 4 points: 0 reach the point, 4 blocked
+                    too much is between to be told
+            """.indent(0)).contains("\n        its points are not told any more: the pixel has too many of them\n");
     }
 
     @Test

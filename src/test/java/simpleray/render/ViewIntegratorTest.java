@@ -85,6 +85,9 @@ class ViewIntegratorTest {
             .containsExactly(0.5, 0.5, 0.5);
         assertThat(centre("2  1 0 0 1 -2" + MATT + "0 0 0 3 0.5  1 1 1  1 1 1  0 0 0  1  transmit 1 0.5 0 1\n" + four, Stage.SHADOWS, 10))
             .as("of one the ball lets some through").containsExactly(0.75, 0.625, 0.5);
+        String area = "0 0 0  2  2  9 9 9  -6 0 6  12 0 0  0 0 -16  2  0  1 1 1  0 0 2";
+        assertThat(centre("2  1 0 0 1 -2" + MATT + "0 1.5 0 0 0.5" + MATT + area, Stage.SHADOWS, 10))
+            .as("of an area light one point in four, and a lamp").containsExactly(0.625, 0.625, 0.625);
         assertThat(centre(wall + "0 0 0  0", Stage.SHADOWS, 10)).as("no light").containsExactly(0, 0, 0);
     }
 

@@ -27,7 +27,7 @@ final class HostileFiles {
      */
     public static void main(String[] args) throws IOException {
         for (Path file : all()) {
-            Files.writeString(expected(file), outcome(file).replace(Kinds.objects(), Kinds.OBJECTS));
+            Files.writeString(expected(file), outcome(file).replace(Kinds.objects(), Kinds.OBJECTS).replace(Kinds.lights(), Kinds.LIGHTS));
         }
     }
 
@@ -69,6 +69,7 @@ final class HostileFiles {
 
     /** {@return what is to be said of a file} */
     static String told(Path file) throws IOException {
-        return Files.readString(expected(file), StandardCharsets.UTF_8).replace(Kinds.OBJECTS, Kinds.objects());
+        return Files.readString(expected(file), StandardCharsets.UTF_8).replace(Kinds.OBJECTS, Kinds.objects())
+            .replace(Kinds.LIGHTS, Kinds.lights());
     }
 }

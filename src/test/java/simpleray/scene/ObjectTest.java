@@ -12,11 +12,12 @@ class ObjectTest {
     private static final int[] CLOSED = {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
 
     @Test
-    void spheresAndCylindersHaveAnInsidePlanesAndTrianglesNone() {
+    void spheresAndCylindersHaveAnInsidePlanesTrianglesAndConesNone() {
         assertThat(new Sphere().isSolid()).isTrue();
         assertThat(new Cylinder().isSolid()).isTrue();
         assertThat(new Plane().isSolid()).isFalse();
         assertThat(new Triangle().isSolid()).isFalse();
+        assertThat(new Cone().isSolid()).isFalse();
     }
 
     @Test

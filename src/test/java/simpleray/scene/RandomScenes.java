@@ -21,8 +21,11 @@ final class RandomScenes {
         scene.ambient = colour(random);
         Light[] lights = new Light[random.nextInt(4)];
         for (int i = 0; i < lights.length; i++) {
-            lights[i] = random.nextBoolean() ? new DirectionalLight(vector(random))
-                : new PointLight(point(random));
+            lights[i] = switch (random.nextInt(3)) {
+                case 0 -> new DirectionalLight(vector(random));
+                case 1 -> new PointLight(point(random));
+                default -> new AreaLight(point(random), new Vector(near(random)), new Vector(near(random)), 1 + random.nextInt(64));
+            };
             lights[i].intensity = colour(random);
         }
         Scenes.light(scene, lights);
@@ -35,10 +38,12 @@ final class RandomScenes {
 
     private static Object object(Random random) {
         Material material = material(random);
-        return switch (random.nextInt(4)) {
+        return switch (random.nextInt(5)) {
             case 0 -> new Plane(material, vector(random), length(random));
             case 1 -> new Triangle(material, near(random), near(random), near(random));
             case 2 -> new Cylinder(material, point(random), near(random), Math.min(Lengths.MAX, above(random)));
+            case 3 -> new Cone(material, point(random), Math.min(Lengths.MAX, Math.abs(number(random))), near(random),
+                Math.min(Lengths.MAX, above(random)));
             default -> new Sphere(material, point(random), Math.min(Lengths.MAX, above(random)));
         };
     }

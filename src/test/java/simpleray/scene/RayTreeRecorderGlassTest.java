@@ -49,7 +49,7 @@ class RayTreeRecorderGlassTest {
     }
 
     private static Lamp lamp(Scene scene, int i) {
-        return tree(scene, Scenes.ahead(), 0, Terms.ALL).hit().lamps().get(i);
+        return (RayTree.Lamp) tree(scene, Scenes.ahead(), 0, Terms.ALL).hit().lamps().get(i);
     }
 
     @Test

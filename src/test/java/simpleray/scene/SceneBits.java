@@ -75,6 +75,11 @@ public final class SceneBits {
             add(new Vector(cylinder.start));
             add(new Vector(cylinder.end));
             bits.add(cylinder.radius);
+        } else if (object instanceof Cone cone) {
+            add(new Vector(cone.start));
+            bits.add(cone.startRadius);
+            add(new Vector(cone.end));
+            bits.add(cone.endRadius);
         } else {
             throw new IllegalArgumentException("no bits known of " + object.getClass());
         }
@@ -88,6 +93,11 @@ public final class SceneBits {
             add(new Vector(point.origin));
         } else if (light instanceof DirectionalLight directional) {
             add(directional.direction);
+        } else if (light instanceof AreaLight area) {
+            add(new Vector(area.corner));
+            add(area.u);
+            add(area.v);
+            bits.add(area.side);
         } else {
             throw new IllegalArgumentException("no bits known of " + light.getClass());
         }

@@ -46,10 +46,10 @@ class SceneReadCountsTest {
     @Test
     void tooFewLightsAreNoticedAtTheEnd() {
         assertThatThrownBy(() -> read("0\n" + AMBIENT + "2\n" + LIGHT)).hasMessage("""
-            <stdin>:5:1: error: expected light 2's type (0 point light, 1 directional light; 2 lights announced), \
+            <stdin>:5:1: error: expected light 2's type (%s; 2 lights announced), \
             found the end of the file
 
-            ^""");
+            ^""".formatted(Kinds.lights()));
     }
 
     @Test
@@ -71,10 +71,10 @@ class SceneReadCountsTest {
 
     @Test
     void anUnknownTypeOfLightIsAnError() {
-        assertThatThrownBy(() -> read("0\n" + AMBIENT + "1\n2 1 1 1 0 0 0")).hasMessage("""
-            <stdin>:4:1: error: expected light 1's type (0 point light, 1 directional light; 1 light announced), found '2'
-            2 1 1 1 0 0 0
-            ^""");
+        assertThatThrownBy(() -> read("0\n" + AMBIENT + "1\n98 1 1 1 0 0 0")).hasMessage("""
+            <stdin>:4:1: error: expected light 1's type (%s; 1 light announced), found '98'
+            98 1 1 1 0 0 0
+            ^""".formatted(Kinds.lights()));
     }
 
     @ParameterizedTest
