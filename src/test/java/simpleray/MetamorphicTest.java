@@ -217,8 +217,8 @@ class MetamorphicTest {
     }
 
     private static Light scaled(Light of, double times) {
-        Light light = of instanceof PointLight p ? new PointLight(p.origin) : of instanceof AreaLight a ? new AreaLight(a.corner, a.u, a.v, a.side)
-            : new DirectionalLight(((DirectionalLight) of).direction);
+        Light light = of instanceof PointLight p ? new PointLight(p.origin) : of instanceof AreaLight a
+            ? new AreaLight(a.corner, a.u, a.v, a.side) : new DirectionalLight(((DirectionalLight) of).direction);
         light.intensity = Colour.scale(of.intensity, times);
         return light;
     }

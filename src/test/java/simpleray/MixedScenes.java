@@ -52,7 +52,8 @@ final class MixedScenes {
         scene.setLight(0, new PointLight(new Point(-3 + random.nextDouble(), 4, 3)));
         scene.setLight(1, new PointLight(new Point(2, 3 + random.nextDouble(), 5)));
         scene.setLight(2, new DirectionalLight(new Vector(-0.4, -1.3, -random.nextDouble())));
-        scene.setLight(3, new AreaLight(new Point(-1, 4, 1 + random.nextDouble()), new Vector(0.5, 0, 0.1), new Vector(0.1, 0.3, 0.4), 3));
+        Point corner = new Point(-1, 4, 1 + random.nextDouble());
+        scene.setLight(3, new AreaLight(corner, new Vector(0.5, 0, 0.1), new Vector(0.1, 0.3, 0.4), 3));
         for (int i = 0; i < scene.getNumberLights(); i++) {
             scene.getLight(i).intensity = colour(random, 0.4);
         }

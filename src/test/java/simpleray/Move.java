@@ -100,7 +100,8 @@ record Move(Vector x, Vector y, Vector z, double scale, Vector shift) {
 
     private Light light(Light of) {
         Light light = of instanceof PointLight p ? new PointLight(point(p.origin))
-            : of instanceof AreaLight a ? new AreaLight(point(a.corner), Vector.scale(direction(a.u), scale), Vector.scale(direction(a.v), scale), a.side)
+            : of instanceof AreaLight a
+            ? new AreaLight(point(a.corner), Vector.scale(direction(a.u), scale), Vector.scale(direction(a.v), scale), a.side)
             : new DirectionalLight(direction(((DirectionalLight) of).direction));
         light.intensity = of.intensity;
         return light;

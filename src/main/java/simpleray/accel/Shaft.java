@@ -1,8 +1,8 @@
 package simpleray.accel;
 
 /**
- * The convex hull of a point and a parallelogram, in which all rays between them run; finds the primitives in it (Haines and Wallace, "Shaft Culling for
- * Efficient Ray-Traced Radiosity", 1991). <em>Mutable</em>: one thread's own.
+ * The convex hull of a point and a parallelogram, in which all rays between them run; finds the primitives in it (Haines and Wallace,
+ * "Shaft Culling for Efficient Ray-Traced Radiosity", 1991). <em>Mutable</em>: one thread's own.
  */
 public final class Shaft {
     /** The result for a shaft of too many primitives, or from too far away. */
@@ -43,7 +43,8 @@ public final class Shaft {
     }
 
     /**
-     * Lists the primitives that a ray in the shaft may hit, and perhaps some more. A box is larger than its primitive by more than the rounding errors here.
+     * Lists the primitives that a ray in the shaft may hit, and perhaps some more. A box is larger than its primitive by more than the
+     * rounding errors here.
      *
      * @param bvh the tree
      * @return their number; {@link #NO_LIST} if they are more than the list can hold, or it cannot be told which they are

@@ -105,9 +105,9 @@ final class PovWriter {
     }
 
     /**
-     * Writes an area light in square blocks of 1, 2 or 4 points a side. POV-Ray multiplies the mean shadow of its points by their mean light, which is right
-     * for points that are close together, and weighs them alike only if their number along a side is a power of two. Its points lie from edge to edge
-     * of its area, and not in the middles of cells.
+     * Writes an area light in square blocks of 1, 2 or 4 points a side. POV-Ray multiplies the mean shadow of its points by their mean
+     * light, which is right for points that are close together, and weighs them alike only if their number along a side is a power of
+     * two. Its points lie from edge to edge of its area, and not in the middles of cells.
      */
     private static void area(SceneWriter os, AreaLight area, Colour colour) throws IOException {
         int n = area.side;
@@ -134,7 +134,7 @@ final class PovWriter {
         }
     }
 
-    /** {@return the side of a block of an area light of n points a side, of which so many are left} A power of two, at most a fourth of n. */
+    /** {@return the side of a block of an area light of n points a side, so many of them left} A power of two, at most a fourth of n. */
     private static int block(int n, int left) {
         return Integer.highestOneBit(Math.max(1, Math.min(left, Math.min(n / 4, MAX_BLOCK))));
     }

@@ -172,7 +172,8 @@ public final class StoryText {
     }
 
     private void tell(Area area, Material material) {
-        say("of its " + area.points() + " points: " + area.whole() + (area.shadows() ? " reach the point" : " shine, for this stage has no shadows")
+        say("of its " + area.points() + " points: " + area.whole()
+            + (area.shadows() ? " reach the point" : " shine, for this stage has no shadows")
             + some(area.dimmed(), "reach it dimmed") + some(area.blocked(), "blocked") + some(area.turnedAway(), "behind the surface"));
         if (area.between() == null) {
             say("too much is between to be told");

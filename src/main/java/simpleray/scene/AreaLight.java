@@ -7,8 +7,8 @@ import simpleray.text.SceneReader;
 import simpleray.text.SceneWriter;
 
 /**
- * A light in the shape of a parallelogram, and so with soft shadows: point lights in the centres of its n × n equal cells share its colour (Cook, Porter
- * and Carpenter, "Distributed Ray Tracing", 1984, without their noise). No ray hits it.
+ * A light in the shape of a parallelogram, and so with soft shadows: point lights in the centres of its n × n equal cells share its colour
+ * (Cook, Porter and Carpenter, "Distributed Ray Tracing", 1984, without their noise). No ray hits it.
  */
 public final class AreaLight extends Light {
     /** The most points along an edge. */
@@ -76,6 +76,13 @@ public final class AreaLight extends Light {
     @Override
     public Point origin() {
         return null;
+    }
+
+    @Override
+    public Light moved(Vector t) {
+        AreaLight light = new AreaLight(Lengths.moved(corner, t), u, v, side);
+        light.intensity = intensity;
+        return light;
     }
 
     @Override

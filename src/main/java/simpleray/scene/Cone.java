@@ -9,14 +9,15 @@ import simpleray.text.SceneReader;
 import simpleray.text.SceneWriter;
 
 /**
- * The side of a truncated cone, open at both ends: all P between the planes perpendicular to an axis at its ends, at a distance from the axis that
- * goes evenly from one radius to the other. Equal radii make an open cylinder, a radius of 0 an apex.
+ * The side of a truncated cone, open at both ends: all P between the planes perpendicular to an axis at its ends, at a distance from the
+ * axis that goes evenly from one radius to the other. Equal radii make an open cylinder, a radius of 0 an apex.
  */
 public final class Cone extends Object {
     /** An upper bound of the rounding errors of a hit's place, as a share of the numbers it is computed from. */
     private static final double ROUNDINGS = 0x1p-48;
     /** The most times as large that they are along the side. */
     private static final double MAX_TIMES = 1e7;
+    private static final String ENDS_DIFFER = "second end that differs from the first";
 
     /** The first end of the axis. */
     public Point start;
@@ -52,7 +53,8 @@ public final class Cone extends Object {
     /**
      * {@inheritDoc} A ray that starts inside hits the far side; one that grazes hits; one that runs along the side, in it, misses.
      *
-     * <p>The rims are wider than written by more than all rounding errors, so that no ray slips between a cone and a shape that ends at its rim.
+     * <p>The side goes on beyond its rims by more than all rounding errors, so that no ray slips between a cone and a shape that ends at
+     * its rim.
      */
     @Override
     public double intersect(Ray ray) {
@@ -73,8 +75,9 @@ public final class Cone extends Object {
      * {@return t of the hit, or MISS} A is the unit vector from the first end to the second; no vector is allocated.
      *
      * <p>With h the height along the axis, r the first radius, and cos and sin of the angle between axis and side, the cone is
-     * |P × A| cos = r cos + h sin; squared, a quadratic in t. So that no digits are lost, t counts from where the ray comes closest to the axis between the
-     * ends, and the discriminant has the form of Lagrange's identity: a cone's inside has no gap at the apex.
+     * |P × A| cos = r cos + h sin; squared, a quadratic in t. So that no digits are lost, t counts from where the ray comes closest to the
+     * axis between the ends, and Lagrange's identity makes the discriminant a difference of two squares: seen from inside, there is no
+     * gap at the apex.
      */
     private double hit(Ray ray, double ax, double ay, double az, double length) {
         double slant = slant(length);
@@ -201,6 +204,15 @@ public final class Cone extends Object {
     }
 
     @Override
+    public Object moved(Vector t) {
+        Cone moved = new Cone(surfaceMaterial, Lengths.moved(start, t), startRadius, Lengths.moved(end, t), endRadius);
+        if (moved.start.equals(moved.end)) {
+            throw new IllegalArgumentException(ENDS_DIFFER);
+        }
+        return moved;
+    }
+
+    @Override
     public void print(SceneWriter os) throws IOException {
         os.writeString("Cone with ends: ");
         start.print(os);
@@ -220,7 +232,7 @@ public final class Cone extends Object {
         startRadius = readRadius(is, "first radius");
         end = readEnd(is, "second end");
         if (start.equals(end)) {
-            is.rejectGroup("second end that differs from the first");
+            is.rejectGroup(ENDS_DIFFER);
         }
         endRadius = readRadius(is, "second radius");
         if (startRadius == 0 && endRadius == 0) {

@@ -30,8 +30,8 @@ public interface Intersector {
     boolean occluded(Ray ray, double distance, int light, Colour left);
 
     /**
-     * Announces that until {@link #leave} all calls of {@link #occluded} are for rays between one point and points of an area light. An intersector may
-     * find what lies between once for all of them.
+     * Announces that until {@link #leave} all calls of {@link #occluded} are for rays between one point and points of an area light. An
+     * intersector may find what lies between once for all of them.
      *
      * @param from the point
      * @param light the light

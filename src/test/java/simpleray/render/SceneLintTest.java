@@ -49,7 +49,8 @@ class SceneLintTest {
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {"1  1 1 1  0 0 1 | light 2 reaches nothing of what 18496 rays saw",
         "0  1 1 1  0 0 -4 | light 2 reaches nothing of what 18496 rays saw",
-        "2  1 1 1  -1 0 -4  2 0 0  0 1 -3  2 | light 2 reaches nothing of what 18496 rays saw", "2  0 0 0  0 0 2  1 0 0  0 1 0  2 | light 2 is black",
+        "2  1 1 1  -1 0 -4  2 0 0  0 1 -3  2 | light 2 reaches nothing of what 18496 rays saw",
+        "2  0 0 0  0 0 2  1 0 0  0 1 0  2 | light 2 is black",
         "0  0 0 0  1 1 2 | light 2 is black"})
     void aLightBehindTheWallReachesNothing(String light, String message) throws IOException {
         assertThat(warnings(List.of(WALL), "0.5 0.5 0.5", "0  0.5 0.5 0.5  1 1 2", light)).containsExactly("a:6:1: warning: " + message);

@@ -153,7 +153,7 @@ class StoryTextTest {
             .contains("\n        shines, for this stage has no shadows\n");
     }
 
-    /** Of the light's points at (-3,0,2), (3,0,2), (-3,0,-6) and (3,0,-6) a ball blocks the second; the wall at z = -2 is turned away from the last two. */
+    /** Of the light's points (-3,0,2), (3,0,2), (-3,0,-6), (3,0,-6) a ball blocks the second; the wall at z = -2 is turned away from the last two. */
     private static final String AREA = "2\n1 0 0 1 -2  0 0 0  1 1 1  0 0 0  1\n0 1.5 0 0 0.5  0 0 0  0 0 0  0 0 0  1%s\n0 0 0\n1\n"
         + "2  1 0.5 0.25  -6 0 6  12 0 0  0 0 -16  2\n";
 
@@ -170,15 +170,16 @@ class StoryTextTest {
                   diffuse of all lights: 0.2 0.1 0.05
             """.indent(0));
         assertThat(text(AREA.formatted("  transmit 0.5 1 1 1"), Stage.FINAL, 1)).contains("1 reach the point, 1 reach it dimmed, 2 behind");
-        assertThat(text(AREA.formatted(""), Stage.LIGHTING, 1)).contains("of its 4 points: 2 shine, for this stage has no shadows, 2 behind the surface\n")
-            .doesNotContain("between: ");
+        assertThat(text(AREA.formatted(""), Stage.LIGHTING, 1)).doesNotContain("between: ")
+            .contains("of its 4 points: 2 shine, for this stage has no shadows, 2 behind the surface\n");
     }
 
     @Test
     void itsPointsHaveStoriesOnRequest() throws IOException {
         Scene read = new Scene();
         read.read(reader(AREA.formatted("")));
-        String text = StoryText.of(new Renderer(read, new SimpleCamera(1, 1), new RenderSettings(Stage.FINAL, 10, 1, 1)).explainer().story(0, 0, true));
+        Explainer explainer = new Renderer(read, new SimpleCamera(1, 1), new RenderSettings(Stage.FINAL, 10, 1, 1)).explainer();
+        String text = StoryText.of(explainer.story(0, 0, true));
         assertThat(text).contains("""
                     specular 0 0 0, Ks 0 0 0, shininess 1
                     point 1: 0.2 0.1 0.05
@@ -193,13 +194,13 @@ class StoryTextTest {
 
     @Test
     void whatIsNotToldOfAnAreaLightIsSaid() {
-        RayTree.Area area = new RayTree.Area(new RayTree.Thing(1, "area light", 0), new Colour(1, 1, 1), 4, true, 0, 0, 4, null, new Colour(),
-            new Colour(), null);
-        RayTree.Hit hit = new RayTree.Hit(new RayTree.Thing(1, "plane", 0), 1, new Point(), new Vector(0, 0, 1), true, new Material(), new Colour(),
-            new Colour(), List.of(area), new Colour(), new Colour(), null, null);
-        RayTree story = new RayTree(new Ray(), 4, true, hit, new Colour());
-        assertThat(StoryText.of(new PixelStory(0, 0, 1, 1, Stage.FINAL, false, List.of(new PixelStory.Sample(0, 0, false, new Colour(), story)),
-            new Colour()))).contains("""
+        Colour black = new Colour();
+        RayTree.Area area = new RayTree.Area(new RayTree.Thing(1, "area light", 0), black, 4, true, 0, 0, 4, null, black, black, null);
+        RayTree.Hit hit = new RayTree.Hit(new RayTree.Thing(1, "plane", 0), 1, new Point(), new Vector(0, 0, 1), true, new Material(),
+            black, black, List.of(area), black, black, null, null);
+        RayTree story = new RayTree(new Ray(), 4, true, hit, black);
+        PixelStory.Sample sample = new PixelStory.Sample(0, 0, false, black, story);
+        assertThat(StoryText.of(new PixelStory(0, 0, 1, 1, Stage.FINAL, false, List.of(sample), black))).contains("""
                     of its 4 points: 0 reach the point, 4 blocked
                     too much is between to be told
             """.indent(0)).contains("\n        its points are not told any more: the pixel has too many of them\n");

@@ -22,6 +22,7 @@ import simpleray.math.Vector;
 
 class AreaLightTest {
     private static final double ROUNDING = 1e-15;
+    private static final String NUMBER = "expected number of points along each edge from 1 to 64";
 
     private static AreaLight light(int n) {
         AreaLight light = new AreaLight(new Point(1, 2, 3), new Vector(8, 0, 0), new Vector(0, 4, -8), n);
@@ -116,11 +117,12 @@ class AreaLightTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"0, ''", "65, ''", "-1, ''", "4.0, ' (an integer has only digits)'", "2.5, ' (an integer has only digits)'", "NaN, ' (numbers must be finite)'"})
+    @CsvSource({"0, ''", "65, ''", "-1, ''", "4.0, ' (an integer has only digits)'", "2.5, ' (an integer has only digits)'",
+        "NaN, ' (numbers must be finite)'"})
     void theNumberOfPointsIsWholeAndFrom1To64(String n, String why) {
         String line = "1 1 1  0 0 0  1 0 0  0 1 0  " + n;
-        assertThatThrownBy(() -> new AreaLight().read(reader(line))).hasMessage("<stdin>:1:29: error: expected number of points along each edge "
-            + "from 1 to 64, found '" + n + '\'' + why + '\n' + line + "\n                            ^");
+        assertThatThrownBy(() -> new AreaLight().read(reader(line))).hasMessage(
+            "<stdin>:1:29: error: " + NUMBER + ", found '" + n + '\'' + why + '\n' + line + "\n                            ^");
     }
 
     @Test
@@ -148,7 +150,7 @@ class AreaLightTest {
         assertMissing("1 1 1  0 *", "<stdin>:1:10: error: expected corner y, found '*'");
         assertMissing("1 1 1  0 0 0  0 0 *", "<stdin>:1:19: error: expected edge u z, found '*'");
         assertMissing("1 1 1  0 0 0  0 0 1  *", "<stdin>:1:22: error: expected edge v x, found '*'");
-        assertMissing("1 1 1  0 0 0  0 0 1  0 1 0", "<stdin>:1:27: error: expected number of points along each edge from 1 to 64, found the end of the file");
+        assertMissing("1 1 1  0 0 0  0 0 1  0 1 0", "<stdin>:1:27: error: " + NUMBER + ", found the end of the file");
     }
 
     private static void assertMissing(String text, String message) {
@@ -166,7 +168,8 @@ class AreaLightTest {
             alone[i] = new PointLight();
             area.point(i, alone[i]);
         }
-        Scene scene = Scenes.lit(Scenes.wall(shiny, -5), new Sphere(shiny, new Point(2, 1.5, -2), 1.2), new Sphere(Scenes.glass(0, 0.5, 1), new Point(1, 1, -1), 1));
+        Scene scene = Scenes.lit(Scenes.wall(shiny, -5), new Sphere(shiny, new Point(2, 1.5, -2), 1.2),
+            new Sphere(Scenes.glass(0, 0.5, 1), new Point(1, 1, -1), 1));
         Scene same = Scenes.lit(scene.getObject(0), scene.getObject(1), scene.getObject(2));
         PointLight other = Scenes.pointLight(-3, 1, 2);
         Scenes.light(scene, other, area, other);
@@ -174,7 +177,8 @@ class AreaLightTest {
         lights.add(0, other);
         lights.add(other);
         Scenes.light(same, lights.toArray(new Light[0]));
-        for (Terms terms : List.of(Terms.ALL, Scenes.LIGHTING, new Terms(false, true, false, false, false), new Terms(false, false, true, true, false))) {
+        for (Terms terms : List.of(Terms.ALL, Scenes.LIGHTING, new Terms(false, true, false, false, false),
+                new Terms(false, false, true, true, false))) {
             for (double x = -0.9; x < 1; x += 0.17) {
                 Colour one = seen(scene, Scenes.ray(0, 0, 2, x, x / 2, -1), 2, terms);
                 Colour many = seen(same, Scenes.ray(0, 0, 2, x, x / 2, -1), 2, terms);
@@ -201,7 +205,8 @@ class AreaLightTest {
     void aSurfaceInWhichItLiesIsNotInItsWay() {
         AreaLight area = new AreaLight(new Point(-1, -1, 4), new Vector(2, 0, 0), new Vector(0, 2, 0), 3);
         Material matt = material(grey(0), grey(1), grey(0), 0);
-        Scene scene = Scenes.of(Scenes.wall(matt, 0), new Triangle(matt, new Point(-9, -9, 4), new Point(9, -9, 4), new Point(0, 9, 4)));
+        Triangle lamp = new Triangle(matt, new Point(-9, -9, 4), new Point(9, -9, 4), new Point(0, 9, 4));
+        Scene scene = Scenes.of(Scenes.wall(matt, 0), lamp);
         Scenes.light(scene, area);
         Colour lit = seen(scene, Scenes.ahead(), 0, Scenes.LIGHTING);
         assertThat(seen(scene, Scenes.ahead(), 0, Terms.ALL)).hasToString(lit.toString());

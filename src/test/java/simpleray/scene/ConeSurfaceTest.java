@@ -158,8 +158,8 @@ class ConeSurfaceTest {
                 Ray ray = new Ray(inside, d);
                 double t = Math.max(up.intersect(ray), down.intersect(ray));
                 Cone hit = up.intersect(ray) >= 0 ? up : down;
-                escaped += t > Object.THRESHOLD && Math.abs(beyond(hit, ray.getPointAt(hit.intersect(ray)))) < NEAR * (length + radius + 10) * steep(up)
-                    ? 0 : 1;
+                double off = Math.abs(beyond(hit, ray.getPointAt(hit.intersect(ray))));
+                escaped += t > Object.THRESHOLD && off < NEAR * (length + radius + 10) * steep(up) ? 0 : 1;
             }
         }
         assertThat(escaped).as("rays that escape, seed " + SEED).isZero();

@@ -9,6 +9,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import simpleray.math.Bounds;
 import simpleray.math.Point;
+import simpleray.math.Ray;
 import simpleray.math.Vector;
 
 class ConeTest {
@@ -94,7 +95,7 @@ class ConeTest {
     void rayInAtAnOpenEndHitsTheInside() {
         // 0.6 to the right and 0.8 down a step: at the pipe's upper end at x = 0.75, at its wall 5/3 steps from the start
         assertThat(pipe.intersect(ray(0, 3, 0, 0.6, -0.8, 0))).isEqualTo(5.0 / 3, within(ROUNDING));
-        assertThat(pipe.intersect(ray(-2, 3, 0, 0.6, -0.8, 0))).as("on the outside, past the end's plane").isEqualTo(5.0 / 3, within(ROUNDING));
+        assertThat(pipe.intersect(ray(-2, 3, 0, 0.6, -0.8, 0))).as("the outside, steeply").isEqualTo(5.0 / 3, within(ROUNDING));
         assertThat(pipe.intersect(ray(-2.5, 3, 0, 0.6, -0.4, 0))).as("the outside").isEqualTo(2.5, within(ROUNDING));
     }
 
@@ -223,8 +224,8 @@ class ConeTest {
         Cone slanted = new Cone(new Material(), new Point(1, 2, 3), 1, new Point(1.3, 2.7, 3.1), 0);
         Vector axis = Vector.subtract(slanted.end, slanted.start).normalised();
         Vector down = Vector.negate(axis);
-        Point hit = ray(2.5, 5.5, 3.5, down.x, down.y, down.z).getPointAt(slanted.intersect(ray(2.5, 5.5, 3.5, down.x, down.y, down.z)));
-        assertNormal(slanted, hit, axis.x, axis.y, axis.z);
+        Ray ray = new Ray(Point.add(slanted.end, Vector.scale(axis, 4)), down);
+        assertNormal(slanted, ray.getPointAt(slanted.intersect(ray)), axis.x, axis.y, axis.z);
     }
 
     private static void assertNormal(Cone cone, Point p, double x, double y, double z) {

@@ -65,6 +65,19 @@ class MovedTest {
     }
 
     @Test
+    void aConeIsMovedByItsEnds() {
+        Cone cone = new Cone(RED, new Point(), 0.25, new Point(0, 1, 0), 0.5);
+        Cone moved = (Cone) cone.moved(v(1, 2, 3));
+
+        assertThat(moved.start.equals(new Point(1, 2, 3)) && moved.end.equals(new Point(1, 3, 3))).isTrue();
+        assertThat(moved.startRadius).isEqualTo(0.25);
+        assertThat(moved.endRadius).isEqualTo(0.5);
+        assertThat(moved.surfaceMaterial).isSameAs(RED);
+        assertThat(cone.start.equals(new Point())).isTrue();
+        assertThatIllegalArgumentException().isThrownBy(() -> cone.moved(v(1e101, 0, 0))).withMessage(FAR);
+    }
+
+    @Test
     void aMeshIsMovedByItsOffsetAndHasTheSameTriangles(@TempDir Path folder) throws IOException {
         Files.writeString(folder.resolve("a.mtl"), "newmtl a\nKd 1 0 0\n");
         Files.writeString(folder.resolve("a.obj"), "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n");
@@ -90,6 +103,23 @@ class MovedTest {
         assertThat(moved.origin().equals(new Point(2, 3, 2))).isTrue();
         assertThat(moved.intensity).hasToString("(0.5,0.25,1.0)");
         assertThat(lamp.isDistant()).isFalse();
+    }
+
+    @Test
+    void anAreaLightIsMovedByItsCornerAndKeepsItsColour() {
+        AreaLight area = new AreaLight(new Point(1, 2, -0.0), v(4, 0, 0), v(0, 5, 0), 6);
+        area.intensity = new Colour(0.5, 0.25, 1);
+        AreaLight moved = (AreaLight) area.moved(v(1, 1, -1));
+
+        assertThat(moved.corner.equals(new Point(2, 3, -1))).isTrue();
+        assertThat(moved.u).isSameAs(area.u);
+        assertThat(moved.v).isSameAs(area.v);
+        assertThat(moved.side).isEqualTo(6);
+        assertThat(moved.intensity).isSameAs(area.intensity);
+        assertThat(area.corner.equals(new Point(1, 2, 0))).isTrue();
+        assertThat(area.isDistant()).isFalse();
+        assertThat(((AreaLight) area.coloured(new Colour())).corner.z).isEqualTo(-0.0);
+        assertThatIllegalArgumentException().isThrownBy(() -> area.moved(v(0, 1e101, 0))).withMessage(FAR);
     }
 
     @Test
@@ -149,6 +179,8 @@ class MovedTest {
         Cylinder rod = new Cylinder(RED, new Point(), new Point(0, 1, 0), 1);
 
         assertThat(rod.moved(v(1e20, 0, 0))).isNotNull();
+        assertThat(new Cone().moved(v(1e20, 0, 0))).isNotNull();
+        assertThatIllegalArgumentException().isThrownBy(() -> new Cone().moved(v(0, 1e20, 0))).withMessage("second end that differs from the first");
         assertThatIllegalArgumentException().isThrownBy(() -> rod.moved(v(0, 1e20, 0))).withMessage("two ends that differ");
         assertThatIllegalArgumentException().isThrownBy(() -> new Triangle().moved(v(0, 1e20, 0))).withMessage("three vertices not on one line");
         assertThat(new Triangle().moved(v(0, 0, 1e20))).isNotNull();

@@ -60,7 +60,7 @@ class RayTreeRecorderTest {
         assertThat(none.colour()).hasToString(new Colour(0.75, 0.75, 0.75).toString());
     }
 
-    /** Of the light's points at (-3,0,2), (3,0,2), (-3,0,-6) and (3,0,-6) a ball blocks the second; the wall at z = -2 is turned away from the others. */
+    /** Of the light's points (-3,0,2), (3,0,2), (-3,0,-6), (3,0,-6) a ball blocks the second; the wall at z = -2 is turned away from the last two. */
     private static Scene areaLight(String ball) throws IOException {
         Scene scene = new Scene();
         scene.read(reader("2  1 0 0 1 -2  0 0 0  1 1 1  0 0 0  1   0 1.5 0 0 0.5  0 0 0  0 0 0  0 0 0  1" + ball

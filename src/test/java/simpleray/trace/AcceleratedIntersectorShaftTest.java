@@ -64,8 +64,9 @@ class AcceleratedIntersectorShaftTest {
         for (int i = 0; i < Sample.size(400, 60); i++) {
             Object[] objects = new Object[1 + random.nextInt(i % 4 == 0 ? 300 : 20)];
             for (int k = 0; k < objects.length; k++) {
-                objects[k] = new Sphere(random.nextInt(3) == 0 ? Scenes.glass(0, random.nextInt(3) / 2.0, 1.5) : matt, new Point(random.nextGaussian() * 2,
-                    5 * random.nextDouble(), random.nextGaussian() * 2), 0.05 + 0.4 * random.nextDouble());
+                Material material = random.nextInt(3) == 0 ? Scenes.glass(0, random.nextInt(3) / 2.0, 1.5) : matt;
+                Point middle = new Point(random.nextGaussian() * 2, 5 * random.nextDouble(), random.nextGaussian() * 2);
+                objects[k] = new Sphere(material, middle, 0.05 + 0.4 * random.nextDouble());
             }
             Scene scene = scene(light(1 + random.nextInt(5)), objects);
             CompiledScene compiled = new CompiledScene(scene, new Point(0, 2, 8), 1, i % 2 == 0 ? Long.MAX_VALUE : 0);
@@ -126,7 +127,8 @@ class AcceleratedIntersectorShaftTest {
         for (int n = 1; n <= 2; n++) {
             Scene scene = scene(light(n), objects);
             RayStats stats = new RayStats();
-            VisibilityTester tester = new VisibilityTester(new CompiledScene(scene, new Point(0, 2, 8), 1, 0).intersector(stats), true, stats);
+            CompiledScene compiled = new CompiledScene(scene, new Point(0, 2, 8), 1, 0);
+            VisibilityTester tester = new VisibilityTester(compiled.intersector(stats), true, stats);
             arriving(tester, scene, floor(0, 0, 0));
             assertThat(stats.steps > 0).isEqualTo(n == 1);
         }
