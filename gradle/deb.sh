@@ -102,7 +102,7 @@ Depends: ${libraries#shlibs:Depends=}, libfontconfig1
 Recommends: fonts-dejavu-core
 Description: ray tracer with a window and a command line
  SimpleRay makes realistic pictures of scenes that a text file describes: spheres,
- planes, triangles, cylinders, meshes and lights. It brings the Java it needs.
+ planes, triangles, cylinders, cones, meshes and lights. It brings the Java it needs.
 END
 SOURCE_DATE_EPOCH=${SOURCE_DATE_EPOCH:-318211200} \
     dpkg-deb --root-owner-group -Zxz --build "$image" "$folder" >/dev/null
