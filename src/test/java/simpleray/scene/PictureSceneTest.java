@@ -104,7 +104,7 @@ class PictureSceneTest {
 
     @Test
     void anErrorInTheSceneOfAPictureHasItsPlace() throws IOException {
-        byte[] bad = "1\n5".getBytes(StandardCharsets.UTF_8);
+        byte[] bad = "1\n98".getBytes(StandardCharsets.UTF_8);
         write(PictureScene.texts("SimpleRay 1", "stage final\n", new SourceText("bad.scene", Sha256.of(bad), bad, List.of())));
 
         assertThatThrownBy(() -> SceneFile.read(file)).isInstanceOf(SceneFormatException.class)
