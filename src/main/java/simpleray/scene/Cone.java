@@ -15,8 +15,8 @@ import simpleray.text.SceneWriter;
 public final class Cone extends Object {
     /** An upper bound of the rounding errors of a hit's place, as a share of the numbers it is computed from. */
     private static final double ROUNDINGS = 0x1p-48;
-    /** The most times as large that they are along the side. */
-    private static final double MAX_TIMES = 1e7;
+    /** The most by which the side goes on beyond its rims, as a share of its size; far less than the padding of a tree's box. */
+    private static final double MAX_SLACK = 0x1p-24;
     private static final String ENDS_DIFFER = "second end that differs from the first";
 
     /** The first end of the axis. */
@@ -133,7 +133,7 @@ public final class Cone extends Object {
         // the lower the ray's angle and the flatter the cone, the farther along the side does a rounding move the hit and the rim
         double times = Math.max(1, largest * Math.sqrt(ss + rise * rise) / root) * Math.max(1, largest / length);
         double rounding = ROUNDINGS * (Math.abs(fx) + Math.abs(fy) + Math.abs(fz) + length + largest);
-        double slack = rounding * Math.min(MAX_TIMES, times);
+        double slack = Math.min(rounding * times, MAX_SLACK * (length + largest));
         double hit = Double.POSITIVE_INFINITY;
         for (int i = 0; i < 2; i++) {
             double t = i == 0 ? q / a : e / q;                // infinite or NaN if there is none

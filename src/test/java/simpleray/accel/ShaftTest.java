@@ -37,7 +37,8 @@ class ShaftTest {
     void whatLiesBetweenIsListedAndWhatLiesBesideAboveOrBelowIsNot() {
         // from (0,0,0) to the square from -1 to 1 at y = 5: at height 2.5 the shaft reaches from -0.5 to 0.5
         double[][] boxes = {cube(0, 2.5, 0), cube(0.55, 2.5, 0), cube(-0.55, 2.5, -0.55), cube(0.65, 2.5, 0), cube(-0.65, 2.5, 0),
-            cube(0, 2.5, 0.65), cube(0, 2.5, -0.65), cube(0, 5.05, 0), cube(0, 5.2, 0), cube(0, -0.05, 0), cube(0, -0.2, 0), cube(0.9, 4.9, 0.9), cube(9, 9, 9)};
+            cube(0, 2.5, 0.65), cube(0, 2.5, -0.65), cube(0, 5.05, 0), cube(0, 5.2, 0), cube(0, -0.05, 0), cube(0, -0.2, 0),
+            cube(0.9, 4.9, 0.9), cube(9, 9, 9)};
         assertThat(in(boxes, 0, 0, 0, ABOVE)).contains(0, 1, 2, 7, 9, 11).doesNotContain(12);
         int[] alone = {0, 1, 2, 7, 9, 11};
         for (int i = 0; i < boxes.length - 1; i++) {

@@ -266,7 +266,8 @@ class ConeTest {
     @Test
     void theBoundsOfAnUprightCone() {
         assertThat(unit.bounds()).isEqualTo(new Bounds(-1, 0, -1, 1, 1, 1));
-        assertThat(new Cone(new Material(), new Point(0, 5, 0), 1, new Point(0, 3, 0), 2).bounds()).isEqualTo(new Bounds(-2, 3, -2, 2, 5, 2));
+        Cone low = new Cone(new Material(), new Point(0, 5, 0), 1, new Point(0, 3, 0), 2);
+        assertThat(low.bounds()).isEqualTo(new Bounds(-2, 3, -2, 2, 5, 2));
     }
 
     @Test
