@@ -16,6 +16,9 @@ import simpleray.render.Stage;
 import simpleray.scene.Camera;
 import simpleray.scene.PerspectiveCamera.Pose;
 import simpleray.scene.RayTree;
+import simpleray.scene.RayTree.Area;
+import simpleray.scene.RayTree.Contribution;
+import simpleray.scene.RayTree.Lamp;
 import simpleray.scene.RayTree.Verdict;
 import simpleray.scene.Scene;
 
@@ -58,7 +61,7 @@ final class RayFigures {
         double most = Double.NEGATIVE_INFINITY;
         for (int j = 0; j < GRID; j++) {
             for (int i = 0; i < GRID; i++) {
-                PixelStory story = explainer.story((2 * i + 1) * explainer.width() / (2 * GRID), (2 * j + 1) * explainer.height() / (2 * GRID));
+                PixelStory story = explainer.story((2 * i + 1) * explainer.width() / (2 * GRID), (2 * j + 1) * explainer.height() / (2 * GRID), true);
                 double worth = worth(story.samples().get(story.samples().size() / 2).tree()) - Math.hypot(i - GRID / 2, j - GRID / 2) / GRID;
                 if (worth > most) {
                     most = worth;
@@ -74,7 +77,12 @@ final class RayFigures {
         if (hit == null) {
             return 0;
         }
-        boolean lit = hit.lamps().stream().anyMatch(lamp -> lamp.verdict() == Verdict.REACHES || lamp.verdict() == Verdict.DIMMED);
+        boolean lit = hit.lamps().stream().anyMatch(RayFigures::arrives);
         return 1 + (lit ? 2 : 0) + (hit.mirror() != null || hit.refracted() != null ? 2 : 0);
+    }
+
+    private static boolean arrives(Contribution light) {
+        return light instanceof Area area ? area.whole() + area.dimmed() > 0
+            : ((Lamp) light).verdict() == Verdict.REACHES || ((Lamp) light).verdict() == Verdict.DIMMED;
     }
 }

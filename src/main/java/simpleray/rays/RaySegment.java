@@ -7,8 +7,10 @@ import simpleray.math.Point;
 import simpleray.math.Ray;
 import simpleray.math.Vector;
 import simpleray.render.PixelStory;
-import simpleray.scene.RayTree;
+import simpleray.scene.RayTree.Area;
+import simpleray.scene.RayTree.Contribution;
 import simpleray.scene.RayTree.Lamp;
+import simpleray.scene.RayTree;
 import simpleray.scene.Scene;
 
 /**
@@ -58,6 +60,9 @@ public record RaySegment(Kind kind, Point from, Point to, boolean endless, RayTr
 
     /** The length of what has no end, in lengths of the primary ray. */
     private static final double FAR = 0.75;
+    /** The most points of an area light whose shadow rays are all drawn; of more points, those of a grid. */
+    private static final int FAN = 9;
+    private static final int FAN_SIDE = 3;
     /** How far from the first hit the eye outside is to see, in lengths of the primary ray. */
     private static final double REACH = 1.6;
     /** The length of vectors, likewise. */
@@ -115,8 +120,10 @@ public record RaySegment(Kind kind, Point from, Point to, boolean endless, RayTr
         }
         out.add(new RaySegment(kind, ray.origin, hit.point(), false, tree, null));
         out.add(vector(Kind.NORMAL, hit.normal(), length, tree, null));
-        for (Lamp lamp : hit.lamps()) {
-            addLight(lamp, scene, length, tree, out);
+        for (Contribution contribution : hit.lamps()) {
+            for (Lamp lamp : fan(contribution)) {
+                addLight(lamp, scene, length, tree, out);
+            }
         }
         if (hit.mirror() != null) {
             add(hit.mirror().tree(), Kind.MIRROR, scene, length, out);
@@ -124,6 +131,25 @@ public record RaySegment(Kind kind, Point from, Point to, boolean endless, RayTr
         if (hit.refracted() != null) {
             add(hit.refracted().tree(), Kind.REFRACTED, scene, length, out);
         }
+    }
+
+    /** {@return the light itself, or some points of an area light, spread evenly; none if its points are not told} */
+    private static List<Lamp> fan(Contribution contribution) {
+        if (contribution instanceof Lamp lamp) {
+            return List.of(lamp);
+        }
+        List<Lamp> all = ((Area) contribution).lamps();
+        if (all == null || all.size() <= FAN) {
+            return all == null ? List.of() : all;
+        }
+        int side = (int) Math.round(Math.sqrt(all.size()));
+        List<Lamp> some = new ArrayList<>();
+        for (int j = 0; j < FAN_SIDE; j++) {
+            for (int i = 0; i < FAN_SIDE; i++) {
+                some.add(all.get(j * (side - 1) / (FAN_SIDE - 1) * side + i * (side - 1) / (FAN_SIDE - 1)));
+            }
+        }
+        return some;
     }
 
     private static void addLight(Lamp lamp, Scene scene, double length, RayTree tree, List<RaySegment> out) {

@@ -135,8 +135,8 @@ class RaySegmentTest {
         if (hit == null) {
             return;
         }
-        for (Lamp lamp : hit.lamps()) {
-            if (lamp.verdict() != Verdict.TURNED_AWAY && lamp.verdict() != Verdict.NO_SHADOWS) {
+        for (RayTree.Contribution light : hit.lamps()) {
+            if (light instanceof Lamp lamp && lamp.verdict() != Verdict.TURNED_AWAY && lamp.verdict() != Verdict.NO_SHADOWS) {
                 told.add(new double[] {end.x, end.y, end.z, end.x + lamp.towards().x * lamp.distance(),
                     end.y + lamp.towards().y * lamp.distance(), end.z + lamp.towards().z * lamp.distance()});
             }
