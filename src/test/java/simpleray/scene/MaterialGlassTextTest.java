@@ -54,7 +54,7 @@ class MaterialGlassTextTest {
         new Scene().read(is);
 
         assertThat(is.warnings()).hasToString("""
-            [<stdin>:3:1: warning: expected a value or a comment, found the heading 'transmits 1 1 1 2', which is skipped
+            [<stdin>:3:1: warning: unknown setting 'transmits': did you mean transmit? The line is skipped
             transmits 1 1 1 2
             ^]""");
     }
@@ -102,9 +102,9 @@ class MaterialGlassTextTest {
 
     @Test
     void twiceIsOnceTooMany() {
-        String line = "transmit 1 1 1 1 transmit 0 0";
+        String line = "transmit 1 1 1 1 transmit 0 0 0 1";
 
-        assertThatThrownBy(() -> new Scene().read(reader("1\n0 0 0 0 1 " + MATT + '\n' + line + "\n0\n"))).hasMessage(
-            "<stdin>:3:18: error: expected the scene's ambient red, found 'transmit'\n" + line + '\n' + " ".repeat(17) + '^');
+        assertThatThrownBy(() -> new Scene().read(reader("1\n0 0 0 0 1 " + MATT + '\n' + line + "\n0 0 0\n0\n"))).hasMessage(
+            "<stdin>:3:18: error: expected object 1's keyword transmit only once, found 'transmit'\n" + line + '\n' + " ".repeat(17) + '^');
     }
 }

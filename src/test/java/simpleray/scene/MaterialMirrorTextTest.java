@@ -92,7 +92,7 @@ class MaterialMirrorTextTest {
         new Scene().read(is);
 
         assertThat(is.warnings()).hasToString("""
-            [<stdin>:3:1: warning: expected a value or a comment, found the heading 'mirrors 1 1 1', which is skipped
+            [<stdin>:3:1: warning: unknown setting 'mirrors': did you mean mirror? The line is skipped
             mirrors 1 1 1
             ^]""");
     }
