@@ -6,7 +6,8 @@ import simpleray.scene.Scene;
 import simpleray.trace.CompiledScene;
 
 /**
- * A scene that is rendered again and again, with any camera and settings. It is compiled only once. <em>Mutable</em>; one rendering at a time.
+ * A scene that is rendered again and again, with any camera and settings, or as frames of a film. What stays of it is compiled only once.
+ * <em>Mutable</em>; one rendering at a time.
  */
 public final class PreparedScene {
     private final Scene scene;
@@ -32,8 +33,22 @@ public final class PreparedScene {
         return request.renderer(scene, this);
     }
 
-    /** {@return the scene compiled for an eye} The first call compiles it. */
-    synchronized CompiledScene compiled(Point eye, Supplier<CompiledScene> maker) {
+    /**
+     * Prepares the rendering of another scene in place of this one. If its objects are the same ones, what is compiled of them is kept. The previous
+     * rendering must have ended.
+     *
+     * @param request the options, which override that scene's own settings
+     * @param frame the scene
+     * @return the renderer
+     * @throws IllegalArgumentException if an option is out of its range
+     */
+    public Renderer renderer(RenderRequest request, Scene frame) {
+        return request.renderer(frame, this);
+    }
+
+    /** {@return a scene compiled for an eye} What the scene before has not left ready is compiled. */
+    synchronized CompiledScene compiled(Scene asked, Point eye, Supplier<CompiledScene> maker) {
+        compiled = compiled == null ? null : compiled.with(asked);
         if (compiled == null) {
             compiled = maker.get();
         }

@@ -181,7 +181,7 @@ public final class Renderer {
     private Picture renderBy(Consumer<Tracers> work) {
         long start = System.nanoTime();
         CompiledScene compiled = settings.accel() == Accel.NONE ? null
-            : prepared == null ? compile() : prepared.compiled(camera.eye(), this::compile);
+            : prepared == null ? compile() : prepared.compiled(scene, camera.eye(), this::compile);
         ready = compiled;
         Tracers tracers = new Tracers(scene, camera, settings, compiled);
         long begin = System.nanoTime();
@@ -332,7 +332,7 @@ public final class Renderer {
     }
 
     private void work(Tracers tracers, RenderListener listener) {
-        Sampler own = sampler(tracers.tracer(false));
+        Sampler own = sampler(tracers.tracer(true));
         renderEarly(own);
         double[] spare = null;                                // the array of a row that the listener released
         for (int y = rows.next(); y >= 0 && !cancelled; y = rows.next()) {

@@ -133,9 +133,9 @@ public final class CompiledScene {
         }
     }
 
-    /** Copies what does not depend on the eye. */
-    private CompiledScene(CompiledScene other, Point eye, boolean lists) {
-        scene = other.scene;
+    /** Copies what depends neither on the eye nor on the lights, and what has stayed of these. The scene has the same objects. */
+    private CompiledScene(CompiledScene other, Scene scene, Point eye, boolean lists) {
+        this.scene = scene;
         this.eye = eye;
         threads = other.threads;
         rays = other.rays;
@@ -149,15 +149,29 @@ public final class CompiledScene {
         grid = other.grid;
         bvh = other.bvh;
         firstParts = other.firstParts;
-        lightBuffers = other.lightBuffers;
-        boolean same = other.listed && eye.x == other.eye.x && eye.y == other.eye.y && eye.z == other.eye.z;
+        lightBuffers = scene == other.scene ? other.lightBuffers : lightBuffers(other);
+        boolean same = other.listed && isSame(eye, other.eye);
         listed = lists || same;
-        eyeBuffer = same ? other.eyeBuffer : lists && canBeListed() ? eyeBuffer() : null;
+        eyeBuffer = same ? other.eyeBuffer : lists && canBeListed() ? buffer(eye) : null;
     }
 
-    private LightBuffer eyeBuffer() {
+    private LightBuffer[] lightBuffers(CompiledScene other) {
+        LightBuffer[] buffers = new LightBuffer[scene.getNumberLights()];
+        for (int i = 0; i < Math.min(MAX_BUFFERS, buffers.length) && canBeListed(); i++) {
+            Point origin = scene.getLight(i).origin();
+            boolean same = i < other.lightBuffers.length && isSame(origin, other.scene.getLight(i).origin());
+            buffers[i] = same ? other.lightBuffers[i] : origin == null ? null : buffer(origin);
+        }
+        return buffers;
+    }
+
+    private static boolean isSame(Point a, Point b) {
+        return a == b || a != null && b != null && a.x == b.x && a.y == b.y && a.z == b.z;
+    }
+
+    private LightBuffer buffer(Point origin) {
         try (Pool pool = new Pool(threads)) {
-            return LightBuffer.of(partBounds(pool), eye.x, eye.y, eye.z);
+            return LightBuffer.of(partBounds(pool), origin.x, origin.y, origin.z);
         }
     }
 
@@ -312,12 +326,26 @@ public final class CompiledScene {
      * @return a scene for that eye, perhaps without its light buffer
      */
     public CompiledScene seenFrom(Point other) {
-        return new CompiledScene(this, other, false);
+        return new CompiledScene(this, scene, other, false);
+    }
+
+    /**
+     * Returns another scene of the same objects, whose lights may be others. Grid and tree are shared, and the buffer of each light that is where it was.
+     *
+     * @param other the scene, which must not change any more
+     * @return that scene compiled; null if its objects are others
+     */
+    public CompiledScene with(Scene other) {
+        boolean same = other.getNumberObjects() == objects.length;
+        for (int i = 0; i < objects.length && same; i++) {
+            same = other.getObject(order[i]) == objects[i];
+        }
+        return same ? new CompiledScene(this, other, eye, listed) : null;
     }
 
     /** {@return this scene with a light buffer for the eye} It takes time to build, and makes many rays faster. */
     public CompiledScene listed() {
-        return listed ? this : new CompiledScene(this, eye, true);
+        return listed ? this : new CompiledScene(this, scene, eye, true);
     }
 
     /**

@@ -2,13 +2,18 @@ package simpleray.render;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.ByteArrayInputStream;
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import simpleray.Project;
 import simpleray.image.Picture;
 import simpleray.scene.PerspectiveCamera.Pose;
+import simpleray.scene.Film;
+import simpleray.scene.Reach;
 import simpleray.scene.Scene;
 import simpleray.scene.SceneFile;
 import simpleray.scene.SceneSettings;
@@ -53,6 +58,24 @@ class PreparedSceneTest {
         Picture some = rendered(new PreparedScene(scene("thesis")).renderer(request(null)));
 
         assertThat(all.row(11)).isEqualTo(some.row(11));
+    }
+
+    /** A film of a mesh, a ball, the camera and a light that move, and stand still now and then. */
+    @Test
+    void framesInTurnAreTheFramesAlone() throws IOException {
+        String text = Files.readString(Project.scene("mesh")).replaceAll("camera .*|depth .*", "") + "frames 5 24\ncurve linear\n"
+            + "key 0 camera 0 0.75 3.4 0 -0.12 -0.6 43\nkey 1 camera 0.5 0.75 3.4 0 -0.12 -0.6 43\n"
+            + "key 1 light 1 0 0 0\nkey 2 light 1 1 0 0\nkey 2 object 3 0 0 0\nkey 3 object 3 0 0.1 0\nkey 3 colour 2 1 0 0\nkey 4 colour 2 0 1 0\n";
+        Film film = SceneFile.read(new ByteArrayInputStream(text.getBytes(StandardCharsets.UTF_8)), Project.scene("mesh"), Reach.FOLDER).scene().film();
+        PreparedScene prepared = new PreparedScene(film.still(0));
+        for (int frame : new int[] {0, 1, 2, 3, 4, 4, 0}) {
+            Picture alone = request(null).renderer(film.still(frame)).render(RenderListener.NONE);
+            Picture inTurn = prepared.renderer(request(null), film.still(frame)).render(RenderListener.NONE);
+
+            for (int y = 0; y < alone.height(); y++) {
+                assertThat(inTurn.row(y)).as("frame %d, row %d", frame, y).isEqualTo(alone.row(y));
+            }
+        }
     }
 
     private static Picture rendered(Renderer renderer) {
