@@ -279,6 +279,12 @@ public final class Scene {
      * @throws IOException if it cannot be written
      */
     public void write(SceneWriter os) throws IOException {
+        writeThings(os);
+        settings.write(os);
+    }
+
+    /** Writes the scene without its settings, which follow. */
+    void writeThings(SceneWriter os) throws IOException {
         os.writeString("# number of objects\n");
         os.writeInt(numberObjects);
         os.writeNewline();
@@ -289,7 +295,18 @@ public final class Scene {
         os.writeInt(numberLights);
         os.writeNewline();
         LightKind.TABLE.writeAll(os, all(lights, numberLights));
-        settings.write(os);
+    }
+
+    /** {@return whether another scene has the same objects, lights and ambient light; equal ones are not the same} */
+    boolean hasThingsOf(Scene other) {
+        boolean same = ambient == other.ambient && numberObjects == other.numberObjects && numberLights == other.numberLights;
+        for (int i = 0; same && i < numberObjects; i++) {
+            same = objects.get(i) == other.objects.get(i);
+        }
+        for (int i = 0; same && i < numberLights; i++) {
+            same = lights.get(i) == other.lights.get(i);
+        }
+        return same;
     }
 
     private static int resize(List<?> list, int n) {

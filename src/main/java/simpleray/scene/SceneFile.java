@@ -184,8 +184,7 @@ public record SceneFile(Scene scene, List<Diagnostic> warnings, SourceText text)
      * @throws IllegalArgumentException if there is no such frame, or it has values that no scene may have
      */
     public SceneFile still(double frame) {
-        Scene still = scene.still(frame);
-        return still == scene ? this : new SceneFile(still, warnings, text == null ? null : text.of(still));
+        return new FrameTexts(this).of(scene.still(frame));
     }
 
     private static SceneFile read(InputStream in, String name, Path folder, Reach reach) throws IOException {

@@ -11,8 +11,8 @@ import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import simpleray.image.PictureText;
 import simpleray.io.Sha256;
+import simpleray.math.Colour;
 
 /** A frame of a film as if it were a file of its own. */
 class SceneFileStillTest {
@@ -58,6 +58,32 @@ class SceneFileStillTest {
         assertThat(SceneFile.parse("0 0 0 0 0\n").lineOfKey(0)).isZero();
     }
 
+    /** Whether what stays from frame to frame was written for an earlier one or not. */
+    @Test
+    void allFramesInTurnHaveTheTextsOfEachAlone() throws IOException {
+        SceneFile film = SceneFile.parse(FILM + "key 0 camera 0 0 5 0 0 0 40\nkey 1 camera 0 0 6 0 0 0 40\nkey 2 camera 0 0 7 0 0 0 40\n");
+        FrameTexts texts = new FrameTexts(film);
+
+        for (double frame : new double[] {0, 0.25, 1, 1, 2, 0}) {
+            SceneFile still = texts.of(film.scene().still(frame));
+            assertThat(still.text().sha256()).as("frame %s", frame).isEqualTo(film.still(frame).text().sha256())
+                .isEqualTo(Sha256.of(still.text().bytes()));
+        }
+        assertThat(texts.of(film.scene())).isSameAs(film);
+    }
+
+    @Test
+    void aLightOrAnAmbientLightOfItsOwnIsWrittenAnew() throws IOException {
+        SceneFile film = SceneFile.parse("0 0 0 0 1\n0 1 1 1 0 0 0\nframes 2 25\nkey 0 colour 1 1 0 0\nkey 1 colour 1 0 1 0\n");
+        FrameTexts texts = new FrameTexts(film);
+        Scene other = film.scene().still(1);
+        other.ambient = new Colour(1, 0, 0);
+
+        assertThat(texts.of(film.scene().still(0)).text().bytes()).asString().contains("1.0 0.0 0.0");
+        assertThat(texts.of(film.scene().still(1)).text().bytes()).asString().contains("0.0 1.0 0.0");
+        assertThat(texts.of(other).text().bytes()).asString().contains("# ambient light\n1.0 0.0 0.0");
+    }
+
     @Test
     void itNamesTheSameMeshes(@TempDir Path folder) throws IOException {
         Files.writeString(folder.resolve("a.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
@@ -71,13 +97,15 @@ class SceneFileStillTest {
     /** As of a file: the picture carries the digest alone. */
     @Test
     void aTextThatIsTooLongHasOnlyItsDigest() throws IOException {
-        Scene scene = SceneFile.parse(FILM).still(0).scene();
-        String text = written(scene::write);
-        SourceText film = SceneFile.parse(FILM).text();
+        SceneFile film = SceneFile.parse(FILM);
+        Scene still = film.scene().still(0);
+        String text = written(still::write);
+        SourceText whole = new FrameTexts(film, text.length()).of(still).text();
+        SourceText cut = new FrameTexts(film, text.length() - 1).of(still).text();
 
-        assertThat(film.of(scene, text.length()).bytes()).asString(StandardCharsets.UTF_8).isEqualTo(text);
-        assertThat(film.of(scene, text.length() - 1).bytes()).isNull();
-        assertThat(film.of(scene, text.length() - 1).sha256()).isEqualTo(Sha256.of(text.getBytes(StandardCharsets.UTF_8)));
-        assertThat(film.of(scene)).extracting(SourceText::bytes).isEqualTo(film.of(scene, PictureText.LONGEST).bytes()).isNotNull();
+        assertThat(whole.bytes()).asString(StandardCharsets.UTF_8).isEqualTo(text);
+        assertThat(cut.bytes()).isNull();
+        assertThat(new FrameTexts(film, 1).of(still).text().bytes()).as("cut off in what stays").isNull();
+        assertThat(cut.sha256()).isEqualTo(Sha256.of(text.getBytes(StandardCharsets.UTF_8)));
     }
 }
