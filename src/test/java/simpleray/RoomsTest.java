@@ -34,7 +34,8 @@ class RoomsTest {
     private static final Map<String, Integer> FLOORS = new TreeMap<>(Map.ofEntries(entry("simpleray.io", 0), entry("simpleray.text", 0),
         entry("simpleray.math", 1), entry("simpleray.image", 1), entry("simpleray.image.png", 2), entry("simpleray.accel", 2),
         entry("simpleray.scene", 3), entry("simpleray.trace", 4), entry("simpleray.pov", 4),
-        entry("simpleray.render", 5), entry("simpleray.rays", 6), entry("simpleray.ui.widget", 7), entry("simpleray.ui.file", 7), entry("simpleray.ui.picture", 8),
+        entry("simpleray.render", 5), entry("simpleray.rays", 6), entry("simpleray.film", 6),
+        entry("simpleray.ui.widget", 7), entry("simpleray.ui.file", 7), entry("simpleray.ui.picture", 8),
         entry("simpleray.ui.editor", 9), entry("simpleray.ui.compare", 9), entry("simpleray.ui.inspect", 9),
         entry("simpleray.ui.desktop", 9), entry("simpleray.ui", 10), entry("simpleray.cli", 11)));
     private static final String SCENE = "simpleray.scene";
@@ -42,6 +43,7 @@ class RoomsTest {
     private static final String CLI = "simpleray.cli";
     private static final String IMAGE = "simpleray.image";
     private static final String RAYS = "simpleray.rays";
+    private static final String FILM = "simpleray.film";
     private static final String PNG = "simpleray.image.png";
     private static final JavaClasses PROGRAM =
         new ClassFileImporter().importUrl(Main.class.getProtectionDomain().getCodeSource().getLocation());
@@ -85,10 +87,10 @@ class RoomsTest {
 
     @Test
     void onlyTheWindowKnowsSwing() {
-        noClasses().that().resideOutsideOfPackages(UI, IMAGE, PNG, RAYS).should().dependOnClassesThat()
+        noClasses().that().resideOutsideOfPackages(UI, IMAGE, PNG, RAYS, FILM).should().dependOnClassesThat()
             .resideInAnyPackage("java.awt..", "javax.swing..", "javax.accessibility..", "javax.imageio..", "com.formdev..",
                 "org.fife..").check(PROGRAM);
-        noClasses().that().resideInAnyPackage(IMAGE, PNG).should().dependOnClassesThat(
+        noClasses().that().resideInAnyPackage(IMAGE, PNG, FILM).should().dependOnClassesThat(
             resideInAnyPackage("java.awt..", "javax.swing..", "javax.accessibility..", "com.formdev..", "org.fife..")
                 .and(not(resideInAPackage("java.awt.image.."))).and(not(type(Rectangle.class)))).check(PROGRAM);
         noClasses().that().resideInAPackage(RAYS).should().dependOnClassesThat(resideInAnyPackage("java.awt.event..", "javax.swing..")

@@ -38,6 +38,7 @@ final class Commands {
         Map<String, Class<?>> alone = new LinkedHashMap<>();
         alone.put("view", ViewCommand.class);
         alone.put("render", RenderCommand.class);
+        alone.put("animate", AnimateCommand.class);
         alone.put("merge", MergeCommand.class);
         alone.put("figures", FiguresCommand.class);
         alone.put("explain", ExplainCommand.class);
@@ -62,7 +63,7 @@ final class Commands {
         if (meant != null) {
             return main.usage("simpleray", "unknown command '" + args[0] + "': did you mean " + meant + "?");
         }
-        String[] all = withCommand(Arrays.stream(args).map(Commands::named).toArray(String[]::new));
+        String[] all = withCommand(Arrays.stream(counted(args)).map(Commands::named).toArray(String[]::new));
         PrintWriter results = writer(main.out());             // for help, version and completion; it notes errors and throws none
         int exitCode = line(all[0]).setOut(results).setErr(writer(main.err())).execute(all);
         if (results.checkError() && exitCode == ExitCode.DONE) {
@@ -86,6 +87,17 @@ final class Commands {
         List<String> all = new ArrayList<>(Arrays.asList(args));
         all.add(0, "view");
         return all.toArray(new String[0]);
+    }
+
+    /** {@return the words, in which {@code --turntable} without a number is told from a scene behind it} Picocli would take that for the number. */
+    private static String[] counted(String[] args) {
+        String[] words = args.clone();
+        for (int i = 0; i < words.length && !words[i].equals("--"); i++) {
+            if (words[i].equals(AnimateCommand.TURNTABLE) && (i + 1 == words.length || !words[i + 1].matches("\\d+"))) {
+                words[i] += '=';
+            }
+        }
+        return words;
     }
 
     /** {@return a word in which a file's name behind = begins with no -, so that picocli does not take it for an option} */

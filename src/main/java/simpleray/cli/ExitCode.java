@@ -7,7 +7,7 @@ final class ExitCode {
     static final int USAGE = 2;
     static final int BAD_SCENE = 65;
     static final int NO_SCENE = 66;
-    static final int NO_DISPLAY = 69;
+    static final int UNAVAILABLE = 69;
     static final int INTERNAL = 70;
     static final int NO_MEMORY = 71;
     static final int NO_OUTPUT = 73;

@@ -22,7 +22,7 @@ import simpleray.render.OutOfMemory;
         "%nSCENE alone is short for: simpleray view SCENE. Without arguments an empty window opens."},
     exitCodeListHeading = "%nExit codes:%n",
     exitCodeList = {"0:done", "1:verify and compare: the pictures differ", "2:wrong usage", "65:the scene has errors",
-        "66:the scene cannot be read", "69:no display for a window, or a Java without windows", "70:internal error",
+        "66:the scene cannot be read", "69:no display for a window, a Java without windows, or no ffmpeg", "70:internal error",
         "71:too large for the memory", "73:the output cannot be created",
         "74:the output cannot be written", "75:output or checkpoint are being written by another run",
         "130:interrupted (Ctrl+C)", "143:told to stop (SIGTERM)"})
@@ -114,7 +114,7 @@ public final class Main implements Runnable {
             return fail(ExitCode.NO_MEMORY, "simpleray: " + OutOfMemory.MESSAGE);
         }
         if (e instanceof LinkageError && !WindowSupport.hasModule()) {
-            return fail(ExitCode.NO_DISPLAY, "simpleray: this Java lacks the module java.desktop, which is needed here: "
+            return fail(ExitCode.UNAVAILABLE, "simpleray: this Java lacks the module java.desktop, which is needed here: "
                 + WindowSupport.INSTALL);
         }
         if (e instanceof NoClassDefFoundError && e.getCause() instanceof ClassNotFoundException || e instanceof ClassFormatError) {

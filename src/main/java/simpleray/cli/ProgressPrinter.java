@@ -28,6 +28,7 @@ final class ProgressPrinter implements RenderListener {
     private final OpenJobLines lines;                         // null unless asked for
     private final Style style;
     private final TerminalWidth width = new TerminalWidth(System.getenv());
+    private final Unit unit;
     private long shown;
     private int step;
 
@@ -58,7 +59,23 @@ final class ProgressPrinter implements RenderListener {
         }
     }
 
+    /**
+     * What is counted.
+     *
+     * @param name its name, for many
+     * @param rows how many rows one has
+     */
+    record Unit(String name, int rows) {
+        /** The rows of a picture. */
+        static final Unit ROWS = new Unit("rows", 1);
+    }
+
     ProgressPrinter(Progress progress, PrintStream err, OpenJobLines lines, Style style) {
+        this(progress, err, lines, style, Unit.ROWS);
+    }
+
+    ProgressPrinter(Progress progress, PrintStream err, OpenJobLines lines, Style style, Unit unit) {
+        this.unit = unit;
         this.progress = progress;
         this.err = err;
         this.lines = lines;
@@ -103,7 +120,7 @@ final class ProgressPrinter implements RenderListener {
         for (String text : List.of(state(now), share + left(now), share)) {
             int cells = Math.min(CELLS, room - text.length() - "[] ".length());
             if (cells >= FEWEST_CELLS) {
-                int full = (int) ((long) cells * progress.finished() / progress.rows());
+                int full = (int) (cells * progress.finished() / progress.rows());
                 return "[" + "#".repeat(full) + "-".repeat(cells - full) + "] " + text;
             }
         }
@@ -111,7 +128,7 @@ final class ProgressPrinter implements RenderListener {
     }
 
     private String state(long now) {
-        return share() + ", " + progress.finished() + " of " + progress.rows() + " rows" + left(now);
+        return share() + ", " + progress.finished() / unit.rows + " of " + progress.rows() / unit.rows + ' ' + unit.name + left(now);
     }
 
     private String share() {

@@ -2,8 +2,10 @@ package simpleray.cli;
 
 import java.util.Arrays;
 import java.util.Locale;
+import simpleray.film.FrameRate;
 import simpleray.math.Point;
 import simpleray.render.Region;
+import simpleray.scene.Film;
 import simpleray.text.NumberParser;
 
 /** The values of options. What cannot be read is an IllegalArgumentException that says what was expected, and what was found. */
@@ -49,6 +51,17 @@ final class Values {
             n[i] = number.intValue();
         }
         return new Region(n[0], n[1], n[2], n[3]);
+    }
+
+    /** Reads {@code 25}, {@code 29.97} or {@code 30000/1001}. */
+    static FrameRate rate(String value) {
+        int slash = value.indexOf('/');
+        double over = slash < 0 ? 1 : NumberParser.parseDouble(value.substring(slash + 1));
+        double rate = NumberParser.parseDouble(slash < 0 ? value : value.substring(0, slash)) / over;
+        if (!(rate > 0 && rate <= Film.MAX_RATE)) {
+            throw expected("frames a second above 0 and at most 1000, such as 25 or 30000/1001", value);
+        }
+        return new FrameRate(rate);
     }
 
     /** Reads one of these, whatever its case. */

@@ -77,7 +77,7 @@ final class ViewCommand implements PlainCommand {
         RenderRequest request = picture.request(stage.stage(), Runtime.getRuntime().availableProcessors());
         String fault = WindowSupport.fault();
         if (fault != null) {
-            throw new CommandException(ExitCode.NO_DISPLAY, "simpleray: " + fault + "; simpleray render works without one");
+            throw new CommandException(ExitCode.UNAVAILABLE, "simpleray: " + fault + "; simpleray render works without one");
         }
         Resolution size = Setting.RESOLUTION.in(request.settings());
         HeapCheck.require("a picture of " + size.width() + 'x' + size.height(),

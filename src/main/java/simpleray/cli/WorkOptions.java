@@ -52,7 +52,12 @@ final class WorkOptions extends OptionGroup {
 
     /** {@return what shows progress, if it is to be shown} */
     ProgressPrinter printer(Progress counter, Main main) {
-        return new ProgressPrinter(counter, main.err(), main.lines(), quiet() ? ProgressPrinter.Style.NONE : progress.value());
+        return printer(counter, main, ProgressPrinter.Unit.ROWS);
+    }
+
+    /** {@return likewise, what counts something else than rows} */
+    ProgressPrinter printer(Progress counter, Main main, ProgressPrinter.Unit unit) {
+        return new ProgressPrinter(counter, main.err(), main.lines(), quiet() ? ProgressPrinter.Style.NONE : progress.value(), unit);
     }
 
     /**

@@ -180,6 +180,11 @@ public final class AtomicFile implements Closeable {
         return out;
     }
 
+    /** {@return the file that is being written, for another program to write it} If the target is no file, that itself. */
+    public Path file() {
+        return part == null ? target : part;
+    }
+
     /**
      * Moves the file to its target: it is whole.
      *

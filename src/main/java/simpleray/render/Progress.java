@@ -9,10 +9,10 @@ public final class Progress {
     private static final double SECOND = 1e9;
     private static final int MINUTE = 60;
 
-    private final int rows;
+    private final long rows;
     private final long start;
-    private final int known;
-    private int finished;
+    private final long known;
+    private long finished;
     private double worked;                                    // finished work, in rows
     private long held;                                        // nanoseconds
     private long heldSince;
@@ -24,7 +24,7 @@ public final class Progress {
      * @param rows the number of rows
      * @param start the time at which rendering began, in nanoseconds of {@link System#nanoTime}
      */
-    public Progress(int rows, long start) {
+    public Progress(long rows, long start) {
         this(rows, start, 0);
     }
 
@@ -35,7 +35,7 @@ public final class Progress {
      * @param start the time at which rendering began, in nanoseconds of {@link System#nanoTime}
      * @param known the number of rows that take no time, because they are known from before
      */
-    public Progress(int rows, long start, int known) {
+    public Progress(long rows, long start, long known) {
         this.rows = rows;
         this.start = start;
         this.known = known;
@@ -44,6 +44,15 @@ public final class Progress {
     /** Counts a finished row. */
     public synchronized void rowFinished() {
         finished++;
+    }
+
+    /**
+     * Counts finished rows.
+     *
+     * @param n how many
+     */
+    public synchronized void rowsFinished(long n) {
+        finished += n;
     }
 
     /**
@@ -71,12 +80,12 @@ public final class Progress {
     }
 
     /** {@return the number of rows} */
-    public int rows() {
+    public long rows() {
         return rows;
     }
 
     /** {@return the number of finished rows} */
-    public synchronized int finished() {
+    public synchronized long finished() {
         return finished;
     }
 

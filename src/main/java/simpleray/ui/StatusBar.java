@@ -72,8 +72,8 @@ final class StatusBar extends JPanel {
     /** Shows how far a rendering is, or was a moment ago. */
     void show(RenderJob job, RenderJob.Snapshot now, Dimension shown) {
         Progress progress = now.progress();
-        int rows = progress == null ? shown.height : progress.rows();
-        int done = progress == null ? 0 : progress.finished();
+        int rows = progress == null ? shown.height : (int) progress.rows();
+        int done = progress == null ? 0 : (int) progress.finished();
         bar.setMaximum(rows);
         bar.setValue(done);
         bar.setVisible(!now.state().ended());

@@ -23,7 +23,7 @@ import simpleray.Project;
 /** {@code --help}, {@code help} and {@code --version}: asked for, so on standard output and with exit code 0. */
 class CommandsHelpTest {
     private static final int TERMINAL = 80;
-    private static final List<String> COMMANDS = List.of("view", "render", "figures", "explain", "print", "check", "convert", "still",
+    private static final List<String> COMMANDS = List.of("view", "render", "animate", "figures", "explain", "print", "check", "convert", "still",
         "export", "verify", "compare", "bench", "generate-completion");
     private static final String PICTURE_OPTIONS = "--size --depth --samples --cop --window --camera --background --allow-outside";
 
@@ -68,7 +68,8 @@ class CommandsHelpTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"view", "render", "merge", "figures", "explain", "print", "check", "convert", "still", "export", "verify", "compare", "bench",
+    @ValueSource(strings = {"view", "render", "animate", "merge", "figures", "explain", "print", "check", "convert", "still",
+        "export", "verify", "compare", "bench",
         "generate-completion"})
     void aCommandHasAHelpOfItsOwn(String command) {
         assertThat(text(command, "--help")).startsWith("Usage: simpleray " + command + " ");
@@ -79,6 +80,7 @@ class CommandsHelpTest {
     @ParameterizedTest
     @CsvSource({"view, --look",
         "render, -o --frame --region --band --skip-done --threads --accel --progress --stats -q --checkpoint --resume --restart",
+        "animate, -o --frames --turntable --fps --stage --threads --accel --progress -q --resume --restart",
         "figures, -d --frame --sweep --threads --accel --progress -q", "explain, --frame --pixel --format --stage --accel -q"})
     void theHelpTellsEveryOptionOfACommandThatRenders(String command, String options) {
         String help = text(command, "--help");
@@ -100,7 +102,7 @@ class CommandsHelpTest {
     }
 
     private static String pattern(String option) {
-        return "[ ,]" + option + "[=,\\n ]";
+        return "[ ,]" + option + "[\\[=,\\n ]";
     }
 
     @ParameterizedTest

@@ -50,7 +50,7 @@ class EveryOutputTest {
 
     /** {@return what writes neither: files of names that it makes up, and a window} */
     private static Set<String> others() {
-        return Set.of("figures", "view");
+        return Set.of("animate", "figures", "view");
     }
 
     @BeforeAll

@@ -66,7 +66,7 @@ class WithoutDisplayTest {
             Program.Result result = onBase(line);
             assertThat(result.err())
                 .isEqualTo("simpleray: this Java lacks the module java.desktop, which is needed here: " + INSTALL);
-            assertThat(result.exitCode()).isEqualTo(ExitCode.NO_DISPLAY);
+            assertThat(result.exitCode()).isEqualTo(ExitCode.UNAVAILABLE);
         }
     }
 
@@ -93,7 +93,7 @@ class WithoutDisplayTest {
 
         assertThat(result.err()).contains("simpleray: this Java can open no windows: " + java.toRealPath() + "/lib/libawt_xawt.so: ")
             .endsWith("; simpleray render works without one\n");
-        assertThat(result.exitCode()).isEqualTo(ExitCode.NO_DISPLAY);
+        assertThat(result.exitCode()).isEqualTo(ExitCode.UNAVAILABLE);
     }
 
     @AfterEach
@@ -129,13 +129,13 @@ class WithoutDisplayTest {
     private static void assertNoWindows(Program.Result result) {
         assertThat(result.err()).isEqualTo("simpleray: this Java can open no windows: " + INSTALL.strip()
             + "; simpleray render works without one\n");
-        assertThat(result.exitCode()).isEqualTo(ExitCode.NO_DISPLAY);
+        assertThat(result.exitCode()).isEqualTo(ExitCode.UNAVAILABLE);
         assertThat(result.out()).isEmpty();
     }
 
     private static void assertNoDisplay(Program.Result result) {
         assertThat(result.err()).isEqualTo("simpleray: there is no display for a window; simpleray render works without one\n");
-        assertThat(result.exitCode()).isEqualTo(ExitCode.NO_DISPLAY);
+        assertThat(result.exitCode()).isEqualTo(ExitCode.UNAVAILABLE);
         assertThat(result.out()).isEmpty();
     }
 
@@ -147,7 +147,7 @@ class WithoutDisplayTest {
 
     @Test
     void theWindowDoesLoadThem() throws IOException, InterruptedException {
-        assertThat(windowClasses(ExitCode.NO_DISPLAY, "view")).contains("java.awt.GraphicsEnvironment");
+        assertThat(windowClasses(ExitCode.UNAVAILABLE, "view")).contains("java.awt.GraphicsEnvironment");
     }
 
     /** ImageIO reads pictures for it, and takes no notice of a display, even where there seems to be one. */

@@ -90,6 +90,11 @@ final class PngChunk {
         return this;
     }
 
+    /** {@return a copy of the data} */
+    byte[] data() {
+        return Arrays.copyOfRange(bytes, HEAD, end);
+    }
+
     void writeTo(OutputStream out) throws IOException {
         out.write(bytes);
     }
