@@ -137,7 +137,7 @@ final class AnimateCommand implements Callable<Integer> {
         file = SceneArgument.read(scene, main.in(), work.warnings(main.err()), outside.reach());
         OutputName.refuseNamed(out, scene, file);
         plan();
-        RenderCheckpointer.Notes notes = new RenderCheckpointer.Notes(main.err(), work.quiet(), main.args());
+        RenderCheckpointer.Notes notes = new RenderCheckpointer.Notes(main.err(), work.quiet(), main.args(), main.lines());
         try (FilmInterrupt listening = new FilmInterrupt(notes, () -> kept(notes))) {
             interrupt = listening;
             render(notes);
