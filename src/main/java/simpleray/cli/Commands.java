@@ -47,6 +47,7 @@ final class Commands {
         alone.put("convert", ConvertCommand.class);
         alone.put("still", StillCommand.class);
         alone.put("export", ExportCommand.class);
+        alone.put("job", JobCommand.class);
         alone.put("verify", VerifyCommand.class);
         alone.put("compare", CompareCommand.class);
         alone.put("bench", BenchCommand.class);

@@ -23,8 +23,8 @@ import simpleray.Project;
 /** {@code --help}, {@code help} and {@code --version}: asked for, so on standard output and with exit code 0. */
 class CommandsHelpTest {
     private static final int TERMINAL = 80;
-    private static final List<String> COMMANDS = List.of("view", "render", "animate", "figures", "explain", "print", "check", "convert", "still",
-        "export", "verify", "compare", "bench", "generate-completion");
+    private static final List<String> COMMANDS = List.of("view", "render", "animate", "merge", "figures", "explain", "print", "check", "convert", "still",
+        "export", "job", "verify", "compare", "bench", "generate-completion");
     private static final String PICTURE_OPTIONS = "--size --depth --samples --cop --window --camera --background --allow-outside";
 
     @TempDir
@@ -69,7 +69,7 @@ class CommandsHelpTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"view", "render", "animate", "merge", "figures", "explain", "print", "check", "convert", "still",
-        "export", "verify", "compare", "bench",
+        "export", "job", "verify", "compare", "bench",
         "generate-completion"})
     void aCommandHasAHelpOfItsOwn(String command) {
         assertThat(text(command, "--help")).startsWith("Usage: simpleray " + command + " ");

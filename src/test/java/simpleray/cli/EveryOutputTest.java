@@ -48,9 +48,9 @@ class EveryOutputTest {
             "--help", "--version", "render --help");
     }
 
-    /** {@return what writes neither: files of names that it makes up, and a window} */
+    /** {@return what writes neither: files of names that it makes up, in a folder, and a window} */
     private static Set<String> others() {
-        return Set.of("animate", "figures", "view");
+        return Set.of("animate", "figures", "job", "view");
     }
 
     @BeforeAll

@@ -46,6 +46,17 @@ public final class CommandWords {
     public static List<String> render(Path scene, String name, RenderRequest request) {
         List<String> words = new ArrayList<>(List.of("render", scene.toAbsolutePath().toString(), "-o",
             name.startsWith("-") ? "./" + name : name));
+        words.addAll(options(request));
+        return words;
+    }
+
+    /**
+     * {@return the options that say which picture is made}
+     *
+     * @param request what was asked for
+     */
+    public static List<String> options(RenderRequest request) {
+        List<String> words = new ArrayList<>();
         for (Setting<?> setting : Setting.ALL) {
             if (setting == Setting.BACKGROUND && request.region() != null) {
                 words.addAll(List.of("--region", request.region().toString()));
