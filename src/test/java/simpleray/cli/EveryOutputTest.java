@@ -178,7 +178,7 @@ class EveryOutputTest {
         String[] messages = {"the picture cannot be written to standard output: nobody reads",
             "standard output cannot be written: nobody reads", "standard output cannot be written"};
         assertThat(result.err()).isEqualTo("simpleray: "
-            + messages[line.endsWith("-o -") && !line.startsWith("export") ? 0 : line.matches(".*--?(help|version)|(help|gen).*") ? 2 : 1] + '\n');
+            + messages[line.matches("(render|merge).* -o -") ? 0 : line.matches(".*--?(help|version)|(help|gen).*") ? 2 : 1] + '\n');
         assertThat(result.exitCode()).isEqualTo(ExitCode.WRITE_ERROR);
     }
 
