@@ -1,28 +1,16 @@
 package simpleray.rays;
 
 import java.awt.image.BufferedImage;
-import java.util.ArrayList;
 import java.util.List;
-import java.util.stream.IntStream;
 import simpleray.image.Picture;
 import simpleray.math.Bounds;
 import simpleray.math.Point;
-import simpleray.math.Ray;
 import simpleray.math.Vector;
-import simpleray.render.Accel;
-import simpleray.render.RenderSettings;
-import simpleray.render.Renderer;
 import simpleray.render.Stage;
-import simpleray.scene.Hit;
-import simpleray.scene.Intersector;
-import simpleray.scene.Object;
 import simpleray.scene.Orbit;
 import simpleray.scene.PerspectiveCamera;
 import simpleray.scene.PerspectiveCamera.Pose;
-import simpleray.scene.Plane;
-import simpleray.scene.RayStats;
 import simpleray.scene.Scene;
-import simpleray.trace.CompiledScene;
 
 /**
  * A scene as an eye outside sees it, and how far each pixel's surface is away. <em>Constant.</em> Planes between that eye and the scene's
@@ -43,7 +31,8 @@ public final class OutsideView {
     final BufferedImage image;
     private final double[] distances;                         // of each pixel's surface from the eye; infinite if there is none
 
-    private OutsideView(PerspectiveCamera camera, BufferedImage image, double[] distances) {
+    /** The image may have more or fewer pixels than the camera; it is stretched to its size. */
+    OutsideView(PerspectiveCamera camera, BufferedImage image, double[] distances) {
         this.camera = camera;
         this.image = image;
         this.distances = distances;
@@ -111,39 +100,10 @@ public final class OutsideView {
      * @throws java.util.concurrent.CancellationException if the calling thread was interrupted
      */
     public static OutsideView of(Scene scene, Point inside, Pose pose, int width, int height, Stage stage, int samples) {
-        Scene opened = opened(scene, inside, new Point(pose.ex(), pose.ey(), pose.ez()));
-        PerspectiveCamera camera = new PerspectiveCamera(pose, width, height);
-        int threads = Runtime.getRuntime().availableProcessors();
-        Picture picture = new Renderer(opened, camera, new RenderSettings(stage, 2, samples, Accel.AUTO, threads, null)).render(row -> { });
-        return new OutsideView(camera, faded(picture), distances(opened, camera, threads));
+        return new OutsideScene(scene).view(inside, pose, width, height, 1, stage, samples);
     }
 
-    /** {@return the scene without the planes between two points} */
-    static Scene opened(Scene scene, Point inside, Point outside) {
-        List<Object> kept = new ArrayList<>();
-        for (int i = 0; i < scene.getNumberObjects(); i++) {
-            Object object = scene.getObject(i);
-            boolean between = object instanceof Plane plane
-                && (plane.normal.dot(inside) - plane.constant) * (plane.normal.dot(outside) - plane.constant) < 0;
-            if (!between) {
-                kept.add(object);
-            }
-        }
-        Scene opened = new Scene();
-        opened.ambient = scene.ambient;
-        opened.settings = scene.settings;
-        opened.setNumberObjects(kept.size());
-        for (int i = 0; i < kept.size(); i++) {
-            opened.setObject(i, kept.get(i));
-        }
-        opened.setNumberLights(scene.getNumberLights());
-        for (int i = 0; i < scene.getNumberLights(); i++) {
-            opened.setLight(i, scene.getLight(i));
-        }
-        return opened;
-    }
-
-    private static BufferedImage faded(Picture picture) {
+    static BufferedImage faded(Picture picture) {
         BufferedImage image = picture.toBufferedImage();
         for (int y = 0; y < image.getHeight(); y++) {
             for (int x = 0; x < image.getWidth(); x++) {
@@ -158,27 +118,12 @@ public final class OutsideView {
         return Math.round(KEPT * level + GREY);
     }
 
-    private static double[] distances(Scene scene, PerspectiveCamera camera, int threads) {
-        double[] distances = new double[camera.width() * camera.height()];
-        CompiledScene compiled = new CompiledScene(scene, camera.eye(), threads, distances.length);
-        IntStream.range(0, camera.height()).parallel().forEach(y -> {
-            Intersector intersector = compiled.intersector(new RayStats());
-            Hit hit = new Hit();
-            Ray ray = new Ray();
-            int at = y * camera.width();
-            for (int x = 0; x < camera.width(); x++) {
-                camera.through(x + 0.5, y + 0.5, ray);
-                distances[at + x] = intersector.intersect(ray, hit) ? hit.t : Double.POSITIVE_INFINITY;
-            }
-        });
-        return distances;
-    }
-
-    /** {@return the distance of the surface at a pixel; infinite if there is none, also beyond the edges} */
+    /** {@return the distance of the surface at a place; infinite if there is none, also beyond the edges} */
     double distance(double px, double py) {
-        int x = (int) Math.floor(px);
-        int y = (int) Math.floor(py);
-        boolean in = x >= 0 && y >= 0 && x < camera.width() && y < camera.height();
-        return in ? distances[y * camera.width() + x] : Double.POSITIVE_INFINITY;
+        int width = image.getWidth();
+        int x = (int) Math.floor(px * width / camera.width());
+        int y = (int) Math.floor(py * image.getHeight() / camera.height());
+        boolean in = x >= 0 && y >= 0 && x < width && y < image.getHeight();
+        return in ? distances[y * width + x] : Double.POSITIVE_INFINITY;
     }
 }

@@ -109,7 +109,8 @@ public final class RayDrawing {
      * @param selected is painted thicker than others; null for none
      */
     public void paint(Graphics2D g, int px, int py, int count, RaySegment selected) {
-        g.drawImage(view.image, 0, 0, null);
+        g.setRenderingHint(RenderingHints.KEY_INTERPOLATION, RenderingHints.VALUE_INTERPOLATION_BILINEAR);
+        g.drawImage(view.image, 0, 0, view.camera.width(), view.camera.height(), null);
         g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
         g.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
         paintCamera(g, px, py);

@@ -2,6 +2,7 @@ package simpleray.render;
 
 import java.util.function.Supplier;
 import simpleray.math.Point;
+import simpleray.scene.Camera;
 import simpleray.scene.Scene;
 import simpleray.trace.CompiledScene;
 
@@ -34,6 +35,17 @@ public final class PreparedScene {
     }
 
     /**
+     * Prepares a rendering as the other method does, of exactly this scene.
+     *
+     * @param camera the camera
+     * @param settings all other settings
+     * @return the renderer
+     */
+    public Renderer renderer(Camera camera, RenderSettings settings) {
+        return new Renderer(scene, camera, settings, this);
+    }
+
+    /**
      * Prepares the rendering of another scene in place of this one. If its objects are the same ones, what is compiled of them is kept. The previous
      * rendering must have ended.
      *
@@ -46,8 +58,14 @@ public final class PreparedScene {
         return request.renderer(frame, this);
     }
 
-    /** {@return a scene compiled for an eye} What the scene before has not left ready is compiled. */
-    synchronized CompiledScene compiled(Scene asked, Point eye, Supplier<CompiledScene> maker) {
+    /**
+     * {@return a scene compiled for an eye} What the scene before has not left ready is compiled.
+     *
+     * @param asked the scene
+     * @param eye the eye
+     * @param maker compiles it
+     */
+    public synchronized CompiledScene compiled(Scene asked, Point eye, Supplier<CompiledScene> maker) {
         compiled = compiled == null ? null : compiled.with(asked);
         if (compiled == null) {
             compiled = maker.get();

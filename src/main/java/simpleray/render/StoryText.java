@@ -28,14 +28,18 @@ public final class StoryText {
 
     private final List<Line> lines = new ArrayList<>();
     private int level;
+    private RayTree ray;                                      // whose lines are written; null before the first
+    private Lamp lamp;                                        // likewise; null for none
 
     /**
      * A line.
      *
      * @param level its depth below the first line, which is at 0
      * @param text its text, not indented
+     * @param ray the ray that it tells about; null for the pixel as a whole
+     * @param lamp the light at that ray's hit that it tells about; null for none
      */
-    public record Line(int level, String text) {
+    public record Line(int level, String text, RayTree ray, Lamp lamp) {
         @Override
         public String toString() {
             return INDENT.repeat(level) + text;
@@ -104,7 +108,7 @@ public final class StoryText {
     }
 
     private void say(String text) {
-        lines.add(new Line(level, text));
+        lines.add(new Line(level, text, ray, lamp));
     }
 
     private void tell(PixelStory pixel) {
@@ -127,6 +131,8 @@ public final class StoryText {
     }
 
     private void tell(RayTree story) {
+        RayTree outer = ray;
+        ray = story;
         say("ray from " + point(story.ray().origin) + " along " + vector(story.ray().direction) + ", depth " + story.depth() + ": "
             + colour(story.colour()));
         level++;
@@ -139,6 +145,7 @@ public final class StoryText {
             say("sum: " + colour(story.colour()));
         }
         level--;
+        ray = outer;
     }
 
     private void tell(Hit hit) {
@@ -152,6 +159,7 @@ public final class StoryText {
         say("Ka " + colour(material.ambient) + ", GA " + colour(hit.light()));
         level--;
         for (Contribution light : hit.lamps()) {
+            lamp = light instanceof Lamp one ? one : null;
             say("light " + named(light.light()) + ": " + both(light));
             level++;
             if (light instanceof Area area) {
@@ -160,6 +168,7 @@ public final class StoryText {
                 tell((Lamp) light, material);
             }
             level--;
+            lamp = null;
         }
         say("diffuse of all lights: " + colour(hit.diffuse()));
         say("specular of all lights: " + colour(hit.specular()));

@@ -77,6 +77,7 @@ final class ViewerMenus {
         view.add(new JCheckBoxMenuItem(regionOnly));
         view.addSeparator();
         view.add(scene.text());
+        view.add(inspector.raysItem());
 
         bar.add(inspector.menu());
 

@@ -10,6 +10,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.EnumSet;
 import java.util.List;
+import java.util.concurrent.CancellationException;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import simpleray.image.Picture;
@@ -56,12 +57,54 @@ class RayDrawingTest {
         return new RayDrawing(view, scene.settings.newCamera(), segments, RayDrawing.RAYS);
     }
 
+    private OutsideView view(OutsideScene outside, double x, double y, double z, double density) {
+        return outside.view(new Point(0, 0, 2), new Pose(x, y, z, 0.1, 0.2, 0.3, 40), 40, 30, density, Stage.LIGHTING, 1);
+    }
+
     @Test
     void wallsBeforeTheRoomAreLeftOut() {
-        Point inside = new Point(0, 0, 2);
-        assertThat(OutsideView.opened(scene, inside, new Point(0, 30, 0)).getNumberObjects()).isEqualTo(6);
-        assertThat(OutsideView.opened(scene, inside, new Point(30, 30, 30)).getNumberObjects()).isEqualTo(4);
-        assertThat(OutsideView.opened(scene, inside, new Point(1, 1, 1)).getNumberObjects()).isEqualTo(7);
+        OutsideScene outside = new OutsideScene(scene);
+        view(outside, 0, 30, 0, 1);
+        assertThat(outside.numberObjects()).isEqualTo(6);
+        view(outside, 30, 30, 30, 1);
+        assertThat(outside.numberObjects()).isEqualTo(4);
+        view(outside, 1, 1, 1, 1);
+        assertThat(outside.numberObjects()).isEqualTo(7);
+    }
+
+    @Test
+    void whileTheSameWallsAreLeftOutTheSceneIsCompiledOnce() {
+        OutsideScene outside = new OutsideScene(scene);
+        view(outside, 0, 30, 0, 1);
+        Scene opened = outside.opened();
+        view(outside, 1, 40, 1, 1);
+        assertThat(outside.opened()).isSameAs(opened);
+        view(outside, 30, 30, 1, 1);
+        assertThat(outside.opened()).isNotSameAs(opened);
+    }
+
+    @Test
+    void aViewOfAnyDensityHasTheSameDistances() {
+        OutsideScene outside = new OutsideScene(scene);
+        OutsideView coarse = view(outside, 5, 30, 2, 0.5);
+        OutsideView plain = view(outside, 5, 30, 2, 1);
+        OutsideView fine = view(outside, 5, 30, 2, 2);
+
+        assertThat(new int[] {coarse.image.getWidth(), coarse.image.getHeight()}).containsExactly(20, 15);
+        assertThat(new int[] {fine.image.getWidth(), fine.image.getHeight()}).containsExactly(80, 60);
+        assertThat(plain.distance(20.5, 15.5)).isFinite();
+        assertThat(coarse.distance(20.5, 15.5)).isCloseTo(plain.distance(20.5, 15.5), within(1.0));
+        assertThat(fine.distance(20.5, 15.5)).isCloseTo(plain.distance(20.5, 15.5), within(1.0));
+        assertThat(fine.distance(40, 15.5)).isInfinite();
+        assertThat(fine.distance(20.5, -0.1)).isInfinite();
+    }
+
+    @Test
+    void anInterruptEndsAView() {
+        OutsideScene outside = new OutsideScene(scene);
+        Thread.currentThread().interrupt();
+        assertThatThrownBy(() -> view(outside, 0, 30, 0, 1)).isInstanceOf(CancellationException.class);
+        assertThat(Thread.interrupted()).isTrue();
     }
 
     @Test

@@ -16,6 +16,7 @@ import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicInteger;
 import javax.imageio.ImageIO;
+import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JSplitPane;
 import javax.swing.JTable;
@@ -43,6 +44,7 @@ final class WindowCaptures {
     public static void main(String... args) throws Exception {
         boolean dark = args.length > 1 && args[1].equals("dark");
         WindowCaptures captures = new WindowCaptures(Path.of(args[0]), args.length > 2 ? args[2] : "");
+        captures.rays(dark);
         captures.coarse(dark);
         captures.finished(dark);
         captures.error(dark);
@@ -56,6 +58,21 @@ final class WindowCaptures {
             window.viewer().lookChanged();
         });
         return window;
+    }
+
+    /** A pixel's rays, above its story. */
+    private void rays(boolean dark) throws Exception {
+        try (OpenWindow window = open(SceneSource.file(TestScenes.THESIS.resolveSibling("mirror-still-life.scene")), dark, 1000, 640)) {
+            window.untilState(RenderJob.State.FINISHED);
+            new Mouse(window.picture()).move(at(window, 0.46, 0.66));
+            window.screen.press(KeyEvent.VK_I);
+            window.screen.press(KeyEvent.VK_V);
+            Screen.until("the rays are there", () -> OpenWindow.seen(JComponent.class, c -> "rays".equals(c.getName())) != null);
+            for (int i = 0; i < 5; i++) {
+                window.screen.press(KeyEvent.VK_PERIOD);
+            }
+            capture(window, "rays");
+        }
     }
 
     /** The first light: the coarse pass is through, and all later rays are held. */

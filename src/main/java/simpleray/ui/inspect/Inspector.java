@@ -15,10 +15,15 @@ import java.util.concurrent.CancellationException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Future;
 import java.util.function.Consumer;
+import javax.swing.JCheckBox;
+import javax.swing.JCheckBoxMenuItem;
+import javax.swing.JComponent;
 import javax.swing.JMenu;
+import javax.swing.JMenuItem;
 import javax.swing.JSplitPane;
 import javax.swing.SwingUtilities;
 import javax.swing.tree.DefaultMutableTreeNode;
+import simpleray.rays.RaySegment;
 import simpleray.render.Explainer;
 import simpleray.render.PixelStory;
 import simpleray.render.Progress;
@@ -36,6 +41,7 @@ import simpleray.ui.widget.Lazy;
  */
 public final class Inspector {
     private static final int DIVIDER = 6;
+    private static final double RAYS_SHARE = 0.6;             // of the height, above the story
     /** How far the frame of the pixel cursor is from its pixel. */
     private static final int FRAME = 4;
     private static final int OTHER_KEYS = InputEvent.CTRL_DOWN_MASK | InputEvent.SHIFT_DOWN_MASK | InputEvent.ALT_DOWN_MASK
@@ -44,10 +50,16 @@ public final class Inspector {
     private final SimpleRay picture;
     private final Consumer<String> hoverLine;
     private final Consumer<String> status;
-    private final Lazy<StoryPane> pane = new Lazy<>(() -> new StoryPane(this::copy, this::closeStory));
+    private final Lazy<StoryPane> pane = new Lazy<>(() -> new StoryPane(this::copy, this::closeStory, this::chooseRay));
+    private final Lazy<RaysPane> rays;
+    private final JCheckBoxMenuItem raysItem = new JCheckBoxMenuItem(KeyBindings.action("Rays", "V", this::toggleRays));
+    private final JCheckBoxMenuItem vectors = new JCheckBoxMenuItem(KeyBindings.action("Normals and Halfway Vectors", "shift V", this::showVectors));
+    private final JSplitPane panes = new JSplitPane(JSplitPane.VERTICAL_SPLIT);
     private final JSplitPane beside = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT);
     private final ExecutorService teller;
 
+    private boolean storyWanted;                              // a story is shown, or is to be once it is told
+    private boolean dragging;                                 // the pixel cursor, by the mouse
     private Boolean untold;                                   // a story was asked for: whether to have the keys; null once it is there
     private RenderJob shown;                                  // the one whose rows are on the screen
     private boolean ended;                                    // it had, when it was last looked at
@@ -70,6 +82,18 @@ public final class Inspector {
         status = window::say;
         teller = window.workers().stopping("simpleray-inspector");
         this.hoverLine = hoverLine;
+        ExecutorService drawer = window.workers().stopping("simpleray-rays");
+        rays = new Lazy<>(() -> {
+            JCheckBox box = new JCheckBox("N, H");
+            box.setModel(vectors.getModel());
+            box.setToolTipText("Normals and Halfway Vectors (Shift+V)");
+            box.getAccessibleContext().setAccessibleName("Normals and Halfway Vectors");
+            RaysPane made = new RaysPane(drawer, status, box, this::selectLine, this::closeRays);
+            made.setVectors(vectors.isSelected());
+            return made;
+        });
+        panes.setBorder(null);
+        panes.setResizeWeight(RAYS_SHARE);
         MouseAdapter mouse = new MouseAdapter() {
             @Override
             public void mouseMoved(MouseEvent e) {
@@ -82,11 +106,29 @@ public final class Inspector {
             }
 
             @Override
+            public void mousePressed(MouseEvent e) {
+                dragging = e.getButton() == MouseEvent.BUTTON1 && isGrip(e);
+            }
+
+            @Override
+            public void mouseDragged(MouseEvent e) {
+                if (dragging && isRaysOpen()) {
+                    drag(e.getPoint());
+                }
+            }
+
+            @Override
+            public void mouseReleased(MouseEvent e) {
+                dragging = false;
+            }
+
+            @Override
             public void mouseClicked(MouseEvent e) {
                 Point pixel = picture.pixelAt(e.getPoint());
                 if (pixel != null && e.getButton() == MouseEvent.BUTTON1 && (e.getModifiersEx() & OTHER_KEYS) == 0) {
                     picture.requestFocusInWindow();
                     setCursor(pixel);
+                    storyWanted = true;
                     tell(false);
                 }
             }
@@ -94,6 +136,7 @@ public final class Inspector {
         picture.addMouseListener(mouse);
         picture.addMouseMotionListener(mouse);
         picture.setMark(this::paintCursor);
+        picture.setGrip(this::isGrip);
     }
 
     /** {@return a menu about single pixels} */
@@ -104,11 +147,20 @@ public final class Inspector {
         menu.add(KeyBindings.action("Copy Story", "control shift I", this::copy));
         menu.add(KeyBindings.action("Close Story", "shift I", this::closeStory));
         menu.addSeparator();
+        menu.add(KeyBindings.action("Next Ray", "PERIOD", () -> step(1)));
+        menu.add(KeyBindings.action("Previous Ray", "COMMA", () -> step(-1)));
+        menu.add(vectors);
+        menu.addSeparator();
         menu.add(KeyBindings.action("Pixel Cursor Left", "alt LEFT", () -> move(-1, 0)));
         menu.add(KeyBindings.action("Pixel Cursor Right", "alt RIGHT", () -> move(1, 0)));
         menu.add(KeyBindings.action("Pixel Cursor Up", "alt UP", () -> move(0, -1)));
         menu.add(KeyBindings.action("Pixel Cursor Down", "alt DOWN", () -> move(0, 1)));
         return menu;
+    }
+
+    /** {@return the item that shows the rays of the pixel, or hides them} */
+    public JMenuItem raysItem() {
+        return raysItem;
     }
 
     /**
@@ -149,7 +201,7 @@ public final class Inspector {
         }
         if (cursor != null) {
             setCursor(cursor);                                // the picture may have become smaller
-            if (isOpen() || untold != null) {
+            if (isOpen() || untold != null || isRaysOpen()) {
                 tell(untold != null && untold);
             }
         }
@@ -174,19 +226,94 @@ public final class Inspector {
     private void openStory() {
         if (shown != null) {
             setCursor(start());
+            storyWanted = true;
             tell(true);
         }
     }
 
     /** Closes the story, and takes the pixel cursor away. */
     private void closeStory() {
-        cancelTelling();
-        story = null;
-        cursor = null;
-        beside.setRightComponent(null);
-        beside.setDividerSize(0);
-        picture.repaint();
+        storyWanted = false;
+        closePanes();
+    }
+
+    private void closeRays() {
+        raysItem.setSelected(false);
+        closePanes();
+    }
+
+    private void toggleRays() {
+        if (!raysItem.isSelected()) {
+            closePanes();
+        } else if (shown != null) {
+            setCursor(start());
+            tell(false);
+        }
+    }
+
+    /** Shows what is still wanted; without that, takes the pixel cursor away. */
+    private void closePanes() {
+        if (storyWanted || isRaysOpen()) {
+            arrange();
+        } else {
+            cancelTelling();
+            story = null;
+            cursor = null;
+            beside.setRightComponent(null);
+            beside.setDividerSize(0);
+            picture.repaint();
+        }
         picture.requestFocusInWindow();
+    }
+
+    private boolean isRaysOpen() {
+        return raysItem.isSelected();
+    }
+
+    private void showVectors() {
+        rays.ifMade(made -> made.setVectors(vectors.isSelected()));
+    }
+
+    private void step(int by) {
+        if (isRaysOpen() && story != null) {
+            rays.get().step(by);
+        }
+    }
+
+    private void chooseRay(RayTree ray, RayTree.Lamp lamp) {
+        if (isRaysOpen()) {
+            rays.get().choose(ray, lamp);
+        }
+    }
+
+    private void selectLine(RaySegment segment) {
+        if (storyWanted) {
+            pane.get().select(segment.ray(), segment.lamp());
+        }
+    }
+
+    /** {@return whether the mouse takes the pixel cursor along: it is on its frame, or Ctrl is down} */
+    private boolean isGrip(MouseEvent e) {
+        if (!isRaysOpen() || cursor == null || shown == null) {
+            return false;
+        }
+        int keys = e.getModifiersEx() & OTHER_KEYS;
+        Rectangle frame = place(cursor);
+        frame.grow(2 * FRAME, 2 * FRAME);
+        return keys == InputEvent.CTRL_DOWN_MASK || keys == 0 && frame.contains(e.getPoint());
+    }
+
+    private void drag(Point to) {
+        Rectangle all = picture.place();
+        Dimension size = picture.imageSize();
+        Point pixel = new Point((int) Math.floorDiv((long) (to.x - all.x) * size.width, all.width),
+            (int) Math.floorDiv((long) (to.y - all.y) * size.height, all.height));
+        Point before = cursor;
+        setCursor(pixel);
+        if (!cursor.equals(before)) {
+            tell(false);
+            tellLine(cursor);
+        }
     }
 
     /** Puts the story on the clipboard, as text. */
@@ -305,36 +432,71 @@ public final class Inspector {
         untold = focus;
         RenderJob job = shown;
         Point pixel = cursor;
+        boolean wantsStory = storyWanted;
+        boolean wantsRays = isRaysOpen();
         telling = teller.submit(() -> {
             PixelStory told;
             DefaultMutableTreeNode root;
+            RaysView.Rays drawn;
             try {
                 told = explainer(job).story(pixel.x, pixel.y);
-                root = StoryPane.tree(StoryText.lines(told));
+                root = wantsStory ? StoryPane.tree(StoryText.lines(told)) : null;
+                RenderJob.Snapshot now = job.snapshot();
+                drawn = wantsRays ? new RaysView.Rays(now.scene(), now.settings().newCamera(), told.x(), told.y(), RaySegment.of(told, now.scene())) : null;
             } catch (CancellationException e) {
                 return;
             } catch (RuntimeException | Error e) {
                 SwingUtilities.invokeLater(() -> status.accept("The story of this pixel cannot be told: " + e));
                 return;
             }
-            SwingUtilities.invokeLater(() -> show(told, root, job, focus));
+            SwingUtilities.invokeLater(() -> show(told, root, drawn, job, focus));
         });
     }
 
-    private void show(PixelStory told, DefaultMutableTreeNode root, RenderJob job, boolean focus) {
+    private void show(PixelStory told, DefaultMutableTreeNode root, RaysView.Rays drawn, RenderJob job, boolean focus) {
         if (cursor == null || job != shown || told.x() != cursor.x || told.y() != cursor.y) {
             return;                                           // closed or moved on
         }
         story = told;
         untold = null;
-        if (!isOpen()) {
-            SwingUtilities.updateComponentTreeUI(pane.get());   // the look may have changed while it was in no window
-            beside.setRightComponent(pane.get());
-            beside.setDividerSize(DIVIDER);
-            beside.setDividerLocation(Math.max(beside.getWidth() / 2, beside.getWidth() - DIVIDER - pane.get().getPreferredSize().width));
-            beside.validate();
+        arrange();
+        if (root != null && storyWanted) {
+            pane.get().show("Pixel " + told.x() + ", " + told.y(), root, focus);
         }
-        pane.get().show("Pixel " + told.x() + ", " + told.y(), root, focus);
+        if (drawn != null && isRaysOpen()) {
+            rays.get().show(drawn);
+        }
+    }
+
+    /** Puts the rays above the story, or that beside the picture which is wanted alone. */
+    private void arrange() {
+        JComponent above = isRaysOpen() ? rays.get() : null;
+        JComponent below = storyWanted ? pane.get() : null;
+        JComponent right = above != null && below != null ? panes : above != null ? above : below;
+        if (beside.getRightComponent() == right && (right != panes || panes.getTopComponent() == above)) {
+            return;
+        }
+        boolean wasWide = beside.getRightComponent() == panes || rays.isMade() && beside.getRightComponent() == rays.get();
+        boolean wide = above != null;
+        int divider = beside.getDividerLocation();
+        boolean keep = isOpen() && wasWide == wide;
+        for (JComponent part : new JComponent[] {above, below}) {
+            if (part != null && !part.isShowing()) {
+                SwingUtilities.updateComponentTreeUI(part);   // the look may have changed while it was in no window
+            }
+        }
+        panes.setTopComponent(right == panes ? above : null);
+        panes.setBottomComponent(right == panes ? below : null);
+        beside.setRightComponent(right);
+        beside.setDividerSize(DIVIDER);
+        int half = beside.getWidth() / 2;
+        beside.setDividerLocation(keep ? divider : wide ? half
+            : Math.max(half, beside.getWidth() - DIVIDER - pane.get().getPreferredSize().width));
+        beside.validate();
+        if (right == panes) {
+            panes.setDividerLocation(RAYS_SHARE);
+            panes.validate();
+        }
     }
 
     private void cancelTelling() {

@@ -3,7 +3,9 @@ package simpleray.ui.inspect;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
+import java.util.function.BiConsumer;
 import javax.swing.BorderFactory;
 import javax.swing.Box;
 import javax.swing.BoxLayout;
@@ -15,9 +17,11 @@ import javax.swing.JTree;
 import javax.swing.tree.DefaultMutableTreeNode;
 import javax.swing.tree.DefaultTreeCellRenderer;
 import javax.swing.tree.DefaultTreeModel;
+import javax.swing.tree.TreeNode;
 import javax.swing.tree.TreePath;
 import javax.swing.tree.TreeSelectionModel;
 import simpleray.render.StoryText;
+import simpleray.scene.RayTree;
 
 /** The story of a pixel as a tree: each line below the one it belongs to, to be opened where one wants to know more. */
 final class StoryPane extends JPanel {
@@ -26,10 +30,22 @@ final class StoryPane extends JPanel {
     /** Lines above this level are open at first: down to the hit and the share of each light. */
     private static final int OPEN = 3;
 
+    /** A line in the tree. */
+    private static final class Node extends DefaultMutableTreeNode {
+        private static final long serialVersionUID = 1L;
+        private final transient StoryText.Line line;
+
+        Node(StoryText.Line line) {
+            super(line.text());
+            this.line = line;
+        }
+    }
+
+    private boolean showing;                                  // the selection is not the user's
     private final JLabel title = new JLabel(" ");
     private final JTree tree = new JTree(new DefaultTreeModel(new DefaultMutableTreeNode("")));
 
-    StoryPane(Runnable copy, Runnable close) {
+    StoryPane(Runnable copy, Runnable close, BiConsumer<RayTree, RayTree.Lamp> chosen) {
         super(new BorderLayout());
         title.setName("story title");
         tree.setName("story");
@@ -40,6 +56,11 @@ final class StoryPane extends JPanel {
         plain.setOpenIcon(null);
         plain.setClosedIcon(null);
         tree.setCellRenderer(plain);
+        tree.addTreeSelectionListener(e -> {
+            if (!showing && tree.getSelectionCount() == 1 && tree.getLastSelectedPathComponent() instanceof Node node && node.line.ray() != null) {
+                chosen.accept(node.line.ray(), node.line.lamp());
+            }
+        });
         JPanel head = new JPanel();
         head.setLayout(new BoxLayout(head, BoxLayout.X_AXIS));
         head.setBorder(BorderFactory.createEmptyBorder(4, 8, 4, 8));
@@ -67,7 +88,7 @@ final class StoryPane extends JPanel {
     static DefaultMutableTreeNode tree(List<StoryText.Line> lines) {
         List<DefaultMutableTreeNode> last = new ArrayList<>();   // on each level
         for (StoryText.Line line : lines) {
-            DefaultMutableTreeNode node = new DefaultMutableTreeNode(line.text());
+            DefaultMutableTreeNode node = new Node(line);
             if (line.level() > 0) {
                 last.get(line.level() - 1).add(node);
             }
@@ -80,11 +101,28 @@ final class StoryPane extends JPanel {
     /** Shows a story, and takes the keys if it is to be read by them. */
     void show(String name, DefaultMutableTreeNode root, boolean focus) {
         title.setText(name);
+        showing = true;
         tree.setModel(new DefaultTreeModel(root));
         open(root);
         tree.setSelectionRow(0);
+        showing = false;
         if (focus) {
             tree.requestFocusInWindow();
+        }
+    }
+
+    /** Selects the first line about a ray, or about a light at its hit. */
+    void select(RayTree ray, RayTree.Lamp lamp) {
+        DefaultMutableTreeNode root = (DefaultMutableTreeNode) tree.getModel().getRoot();
+        for (TreeNode any : Collections.list(root.preorderEnumeration())) {
+            if (any instanceof Node node && node.line.ray() == ray && node.line.lamp() == lamp) {
+                TreePath path = new TreePath(node.getPath());
+                showing = true;
+                tree.setSelectionPath(path);
+                showing = false;
+                tree.scrollPathToVisible(path);
+                return;
+            }
         }
     }
 

@@ -178,7 +178,7 @@ final class CameraTool extends MouseAdapter {
     public void mousePressed(MouseEvent e) {
         picture.requestFocusInWindow();
         int others = InputEvent.SHIFT_DOWN_MASK | InputEvent.CTRL_DOWN_MASK | InputEvent.ALT_DOWN_MASK | InputEvent.META_DOWN_MASK;
-        boolean left = SwingUtilities.isLeftMouseButton(e) && (e.getModifiersEx() & others) == 0;
+        boolean left = SwingUtilities.isLeftMouseButton(e) && (e.getModifiersEx() & others) == 0 && !picture.isGrip(e);
         boolean middle = SwingUtilities.isMiddleMouseButton(e);
         last = left || middle ? e.getLocationOnScreen() : null;
         panning = middle || space;

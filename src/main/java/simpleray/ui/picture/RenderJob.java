@@ -88,7 +88,7 @@ public final class RenderJob {
         }
 
         /** {@return the scene, not to be changed; null until it is read} */
-        Scene scene() {
+        public Scene scene() {
             return loaded == null ? null : loaded.file.scene();
         }
 

@@ -5,8 +5,10 @@ import java.awt.Dimension;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.Rectangle;
+import java.awt.event.MouseEvent;
 import java.awt.image.BufferedImage;
 import java.util.function.Consumer;
+import java.util.function.Predicate;
 import javax.swing.SwingUtilities;
 import javax.swing.Timer;
 import simpleray.image.Picture;
@@ -46,6 +48,7 @@ public final class SimpleRay extends ZoomedComponent implements Runnable {
     private transient BufferedImage marks;                    // painted over the picture; null for none
     private transient Runnable listener = () -> { };
     private transient Consumer<Graphics2D> mark = canvas -> { };
+    private transient Predicate<MouseEvent> grip = press -> false;
 
     /**
      * Creates the component; {@link #init} and {@link #start} follow.
@@ -249,6 +252,20 @@ public final class SimpleRay extends ZoomedComponent implements Runnable {
      */
     public void setMark(Consumer<Graphics2D> other) {
         mark = other;
+    }
+
+    /**
+     * Sets which presses of the mouse take something along that is not the camera.
+     *
+     * @param other tells whether a press does
+     */
+    public void setGrip(Predicate<MouseEvent> other) {
+        grip = other;
+    }
+
+    /** {@return whether a press of the mouse takes something along that is not the camera} */
+    boolean isGrip(MouseEvent press) {
+        return grip.test(press);
     }
 
     /** {@return the region that is rendered first, or alone, and the mouse that draws it} */

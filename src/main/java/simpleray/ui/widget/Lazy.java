@@ -29,6 +29,11 @@ public final class Lazy<T> {
         return made;
     }
 
+    /** {@return whether it was made} */
+    public boolean isMade() {
+        return made != null;
+    }
+
     /**
      * Does something with the part if it was made.
      *

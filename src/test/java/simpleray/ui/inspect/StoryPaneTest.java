@@ -28,7 +28,8 @@ class StoryPaneTest {
         List<TreeNode> nodes = Collections.list(StoryPane.tree(lines).preorderEnumeration());
 
         assertThat(nodes.stream().map(DefaultMutableTreeNode.class::cast)
-            .map(node -> new StoryText.Line(node.getLevel(), (String) node.getUserObject())).collect(Collectors.toList())).isEqualTo(lines);
+            .map(node -> node.getLevel() + " " + node.getUserObject()).collect(Collectors.toList()))
+            .isEqualTo(lines.stream().map(line -> line.level() + " " + line.text()).collect(Collectors.toList()));
         assertThat(lines).hasSizeGreaterThan(100);
         assertThat(new ArrayList<>(lines)).extracting(StoryText.Line::level).contains(0, 1, 2, 3, 4, 5, 6);
     }
