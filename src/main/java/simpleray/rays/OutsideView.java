@@ -59,7 +59,8 @@ public final class OutsideView {
         double radius = Math.hypot(Math.hypot(b.xmax() - b.xmin(), b.ymax() - b.ymin()), b.zmax() - b.zmin()) / 2;
         double away = AWAY * (radius > 0 ? radius : 1);
         Vector along = segments.get(0).ray().ray().direction;
-        Pose behind = new Pose(middle.x - away * along.x, middle.y - away * along.y, middle.z - away * along.z, middle.x, middle.y, middle.z, FOV);
+        Pose behind = new Pose(middle.x - away * along.x, middle.y - away * along.y, middle.z - away * along.z,
+            middle.x, middle.y, middle.z, FOV);
         return Orbit.of(behind).turned(ASIDE, ABOVE).pose();
     }
 

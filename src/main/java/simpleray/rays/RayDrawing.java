@@ -30,9 +30,9 @@ public final class RayDrawing {
     /** The kinds that are drawn unless more are asked for. */
     public static final Set<Kind> RAYS = Set.of(Kind.PRIMARY, Kind.MIRROR, Kind.REFRACTED, Kind.ARRIVING, Kind.STOPPED);
 
-    private static final Map<Kind, Color> COLOURS = new EnumMap<>(Map.of(Kind.PRIMARY, new Color(0xffffff), Kind.MIRROR, new Color(0xff9e3d),
-        Kind.REFRACTED, new Color(0x59c2ff), Kind.ARRIVING, new Color(0xffe14d), Kind.STOPPED, new Color(0xff5c5c),
-        Kind.NORMAL, new Color(0x7be07b), Kind.HALFWAY, new Color(0xe58cff)));
+    private static final Map<Kind, Color> COLOURS = new EnumMap<>(Map.of(Kind.PRIMARY, new Color(0xffffff),
+        Kind.MIRROR, new Color(0xff9e3d), Kind.REFRACTED, new Color(0x59c2ff), Kind.ARRIVING, new Color(0xffe14d),
+        Kind.STOPPED, new Color(0xff5c5c), Kind.NORMAL, new Color(0x7be07b), Kind.HALFWAY, new Color(0xe58cff)));
     private static final Map<Kind, float[]> DASHES = new EnumMap<>(Map.of(Kind.REFRACTED, new float[] {14, 3, 3, 3}, Kind.ARRIVING,
         new float[] {2, 3}, Kind.STOPPED, new float[] {2, 5}));
     private static final float[] HIDDEN = {5, 6};
@@ -209,14 +209,17 @@ public final class RayDrawing {
             if (i == steps || next != hidden) {
                 g.setColor(hidden ? pale : colour);
                 float[] pattern = hidden ? HIDDEN : dash;
-                g.setStroke(pattern == null ? new BasicStroke(width) : new BasicStroke(width, BasicStroke.CAP_BUTT, BasicStroke.JOIN_MITER, 1, pattern,
-                    (float) (begin * Math.hypot(dx, dy) / steps)));
+                g.setStroke(stroke(width, pattern, (float) (begin * Math.hypot(dx, dy) / steps)));
                 g.draw(new Line2D.Double(ends[0] + dx * begin / steps, ends[1] + dy * begin / steps, ends[0] + dx * i / steps,
                     ends[1] + dy * i / steps));
                 begin = i;
                 hidden = next;
             }
         }
+    }
+
+    private static BasicStroke stroke(float width, float[] dash, float phase) {
+        return dash == null ? new BasicStroke(width) : new BasicStroke(width, BasicStroke.CAP_BUTT, BasicStroke.JOIN_MITER, 1, dash, phase);
     }
 
     /** {@return whether a surface lies before a part of a line, so far along it on the screen} */
@@ -322,7 +325,7 @@ public final class RayDrawing {
         for (Kind kind : used) {
             float[] dash = DASHES.get(kind);
             g.setColor(COLOURS.get(kind));
-            g.setStroke(dash == null ? new BasicStroke(WIDTH) : new BasicStroke(WIDTH, BasicStroke.CAP_BUTT, BasicStroke.JOIN_MITER, 1, dash, 0));
+            g.setStroke(stroke(WIDTH, dash, 0));
             paintSample(g, y, kind.label());
             y += LINE;
         }

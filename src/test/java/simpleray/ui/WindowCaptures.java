@@ -62,7 +62,7 @@ final class WindowCaptures {
 
     /** A pixel's rays, above its story. */
     private void rays(boolean dark) throws Exception {
-        try (OpenWindow window = open(SceneSource.file(TestScenes.THESIS.resolveSibling("mirror-still-life.scene")), dark, 1000, 640)) {
+        try (OpenWindow window = open(SceneSource.file(TestScenes.THESIS.resolveSibling("mirror-still-life.scene")), dark, 820, 500)) {
             window.untilState(RenderJob.State.FINISHED);
             new Mouse(window.picture()).move(at(window, 0.46, 0.66));
             window.screen.press(KeyEvent.VK_I);

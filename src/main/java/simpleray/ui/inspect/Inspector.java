@@ -15,6 +15,7 @@ import java.util.concurrent.CancellationException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Future;
 import java.util.function.Consumer;
+import javax.swing.BorderFactory;
 import javax.swing.JCheckBox;
 import javax.swing.JCheckBoxMenuItem;
 import javax.swing.JComponent;
@@ -53,7 +54,8 @@ public final class Inspector {
     private final Lazy<StoryPane> pane = new Lazy<>(() -> new StoryPane(this::copy, this::closeStory, this::chooseRay));
     private final Lazy<RaysPane> rays;
     private final JCheckBoxMenuItem raysItem = new JCheckBoxMenuItem(KeyBindings.action("Rays", "V", this::toggleRays));
-    private final JCheckBoxMenuItem vectors = new JCheckBoxMenuItem(KeyBindings.action("Normals and Halfway Vectors", "shift V", this::showVectors));
+    private final JCheckBoxMenuItem vectors = new JCheckBoxMenuItem(
+        KeyBindings.action("Normals and Halfway Vectors", "shift V", this::showVectors));
     private final JSplitPane panes = new JSplitPane(JSplitPane.VERTICAL_SPLIT);
     private final JSplitPane beside = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT);
     private final ExecutorService teller;
@@ -92,7 +94,7 @@ public final class Inspector {
             made.setVectors(vectors.isSelected());
             return made;
         });
-        panes.setBorder(null);
+        panes.setBorder(BorderFactory.createEmptyBorder());
         panes.setResizeWeight(RAYS_SHARE);
         MouseAdapter mouse = new MouseAdapter() {
             @Override
@@ -198,6 +200,9 @@ public final class Inspector {
         ended = over;
         if (hovered != null) {
             hover(hovered);
+        }
+        if (cursor == null && isRaysOpen()) {                 // they were asked for before there was a picture
+            setCursor(start());
         }
         if (cursor != null) {
             setCursor(cursor);                                // the picture may have become smaller
@@ -442,7 +447,8 @@ public final class Inspector {
                 told = explainer(job).story(pixel.x, pixel.y);
                 root = wantsStory ? StoryPane.tree(StoryText.lines(told)) : null;
                 RenderJob.Snapshot now = job.snapshot();
-                drawn = wantsRays ? new RaysView.Rays(now.scene(), now.settings().newCamera(), told.x(), told.y(), RaySegment.of(told, now.scene())) : null;
+                drawn = wantsRays ? new RaysView.Rays(now.scene(), now.settings().newCamera(), told.x(), told.y(),
+                    RaySegment.of(told, now.scene())) : null;
             } catch (CancellationException e) {
                 return;
             } catch (RuntimeException | Error e) {
@@ -480,7 +486,7 @@ public final class Inspector {
         boolean wide = above != null;
         int divider = beside.getDividerLocation();
         boolean keep = isOpen() && wasWide == wide;
-        for (JComponent part : new JComponent[] {above, below}) {
+        for (JComponent part : new JComponent[] {above, below, right}) {
             if (part != null && !part.isShowing()) {
                 SwingUtilities.updateComponentTreeUI(part);   // the look may have changed while it was in no window
             }

@@ -48,6 +48,7 @@ final class RaysView extends DrawnComponent {
     private static final double STEP = 5;                     // degrees for a key
     private static final double NOTCH = 0.9;                  // the share of the distance that a notch of the wheel leaves
     private static final double COARSE = 1 / 3.0;
+    private static final double DENSE = 1.5;                  // from this scale on a pixel has one sample
     private static final int REST = 120;                      // milliseconds after which a view becomes fine
     private static final int REACH = 6;                       // how near to a ray a click is on it
     private static final int DRAG = 4;                        // fewer pixels of movement are a click
@@ -229,7 +230,7 @@ final class RaysView extends DrawnComponent {
                 outsideOf = place.scene;
             }
             view = outside.view(place.inside, place.pose, place.size.width, place.size.height, order.fine ? place.scale : COARSE,
-                order.fine ? Stage.FINAL : Stage.LIGHTING, order.fine ? 2 : 1);
+                order.fine ? Stage.FINAL : Stage.LIGHTING, order.fine && place.scale < DENSE ? 2 : 1);
             viewFrom = place;
             viewFine = order.fine;
         }

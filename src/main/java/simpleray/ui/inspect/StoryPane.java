@@ -2,6 +2,7 @@ package simpleray.ui.inspect;
 
 import java.awt.BorderLayout;
 import java.awt.Dimension;
+import java.awt.Rectangle;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
@@ -27,6 +28,7 @@ import simpleray.scene.RayTree;
 final class StoryPane extends JPanel {
     private static final long serialVersionUID = 1L;
     private static final int WIDTH = 400;
+    private static final int INDENT = 20;
     /** Lines above this level are open at first: down to the hit and the share of each light. */
     private static final int OPEN = 3;
 
@@ -57,7 +59,8 @@ final class StoryPane extends JPanel {
         plain.setClosedIcon(null);
         tree.setCellRenderer(plain);
         tree.addTreeSelectionListener(e -> {
-            if (!showing && tree.getSelectionCount() == 1 && tree.getLastSelectedPathComponent() instanceof Node node && node.line.ray() != null) {
+            if (!showing && tree.getSelectionCount() == 1
+                && tree.getLastSelectedPathComponent() instanceof Node node && node.line.ray() != null) {
                 chosen.accept(node.line.ray(), node.line.lamp());
             }
         });
@@ -120,7 +123,8 @@ final class StoryPane extends JPanel {
                 showing = true;
                 tree.setSelectionPath(path);
                 showing = false;
-                tree.scrollPathToVisible(path);
+                Rectangle place = tree.getPathBounds(path);
+                tree.scrollRectToVisible(new Rectangle(Math.max(0, place.x - INDENT), place.y, INDENT + WIDTH / 2, place.height));
                 return;
             }
         }
