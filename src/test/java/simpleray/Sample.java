@@ -12,8 +12,8 @@ import java.util.Random;
  */
 public final class Sample {
     private static final boolean ALL = Boolean.getBoolean("simpleray.all");
-    private static final boolean LEAST = Boolean.getBoolean("simpleray.least");
-    private static final int LEAST_SHARE = 4;
+    private static final boolean FOR_PIT = Boolean.getBoolean("simpleray.least");
+    private static final int PIT_SHARE = 4;
     private static final long SEED = 20261129;
 
     private Sample() {
@@ -21,7 +21,7 @@ public final class Sample {
 
     /** {@return how many are to be tried: all or a few, and at least one} */
     public static int size(int all, int few) {
-        return ALL ? all : LEAST ? Math.max(1, few / LEAST_SHARE) : few;
+        return ALL ? all : FOR_PIT ? Math.max(1, few / PIT_SHARE) : few;
     }
 
     /** {@return what is to be tried: all, or a few at random} */

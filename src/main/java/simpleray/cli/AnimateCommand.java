@@ -2,7 +2,6 @@ package simpleray.cli;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.BitSet;
 import java.util.List;
@@ -318,7 +317,8 @@ final class AnimateCommand implements Callable<Integer> {
 
     private FfmpegFilm ffmpeg(Picture size, Path target) throws CommandException {
         try {
-            return new FfmpegFilm(FfmpegFilm.PROGRAM, FfmpegFilm.Format.valueOf(output.kind().name()), size.width(), size.height(), fps, target);
+            return new FfmpegFilm(FfmpegFilm.PROGRAM, FfmpegFilm.Format.valueOf(output.kind().name()),
+                size.width(), size.height(), fps, target);
         } catch (IOException e) {
             throw new CommandException(ExitCode.UNAVAILABLE, "simpleray: " + out + ": ffmpeg makes it, and is not on the PATH: install it "
                 + "(Debian: apt-get install ffmpeg), or make a .gif or .apng");

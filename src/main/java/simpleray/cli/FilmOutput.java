@@ -151,7 +151,7 @@ final class FilmOutput {
         boolean empty = true;
         try (DirectoryStream<Path> files = Files.newDirectoryStream(folder)) {
             for (Path file : files) {
-                boolean ours = FRAME.matcher(file.getFileName().toString()).matches();
+                boolean ours = FRAME.matcher(folder.relativize(file).toString()).matches();
                 if (ours) {
                     Files.delete(file);
                 }

@@ -1,5 +1,6 @@
 package simpleray.cli;
 
+import java.io.File;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -149,7 +150,7 @@ final class JobCommand implements Callable<Integer> {
         int pictures = asked == null ? 1 : asked.count();
         int each = chunk.value() == null ? JobPlan.chunk(pictures, bands()) : Math.min(chunk.value(), pictures);
         List<String> words = new ArrayList<>(CommandWords.options(request));
-        return new JobPlan(Path.of(scene).getFileName().toString(), size, asked, bands(), each,
+        return new JobPlan(new File(scene).getName(), size, asked, bands(), each,
             pictures == 1 || film.value().equals(NO_FILM) ? null : film.value(), words, estimate);
     }
 

@@ -23,7 +23,7 @@ import simpleray.scene.Setting;
 record JobEstimate(long heap, double start, double picture) {
     /** The memory of Java itself, in MiB: its code, the program's classes, the stacks of threads. */
     static final int JAVA = 192;
-    private static final int LEAST_HEAP = 256;
+    private static final int MIN_HEAP = 256;
     private static final int STEP = 64;
     /** The time to start Java, and for whatever a node is busy with. */
     private static final double JAVA_SECONDS = 2;
@@ -73,7 +73,8 @@ record JobEstimate(long heap, double start, double picture) {
         SceneSettings small = asked.under(new SceneSettings());
         small.resolution = new Resolution(scaled(size.width(), share), scaled(size.height(), share));
         Renderer sample = alone.with(small).renderer(scene);
-        double rendered = sampleSeconds(sample) * size.width() * size.height() / ((double) small.resolution.width() * small.resolution.height());
+        double rendered = sampleSeconds(sample) * size.width() * size.height()
+            / ((double) small.resolution.width() * small.resolution.height());
         System.gc();
         Runtime memory = Runtime.getRuntime();
         long scenes = memory.totalMemory() - memory.freeMemory();   // the scene, made ready for rendering
@@ -89,7 +90,7 @@ record JobEstimate(long heap, double start, double picture) {
     /** {@return the heap for so many bytes, in MiB} */
     static long heap(long bytes) {
         long mebibytes = (bytes >> 20) + 1;
-        return Math.max(LEAST_HEAP, (mebibytes + STEP - 1) / STEP * STEP);
+        return Math.max(MIN_HEAP, (mebibytes + STEP - 1) / STEP * STEP);
     }
 
     /** {@return the time to render all rows, in seconds, as far as two seconds of rendering tell} */

@@ -111,7 +111,7 @@ final class JobFolder implements AutoCloseable {
 
     private OutputStream begin(String file) throws Unwritten {
         try {
-            makeFolder(path(file).getParent());
+            makeFolder(path(file).resolveSibling(""));
             OutputStream out = Files.newOutputStream(path(file));
             made.push(path(file));
             return out;

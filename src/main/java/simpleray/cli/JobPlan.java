@@ -20,7 +20,7 @@ record JobPlan(String scene, Resolution size, FrameRanges frames, int bands, int
     /** The longest array of tasks that Slurm takes unless it is configured otherwise. */
     static final int MAX_ARRAY = 1000;
     private static final int MAX_NAME = 64;
-    private static final int LEAST_DIGITS = 4;
+    private static final int MIN_DIGITS = 4;
 
     /** {@return the number of frames in a task, if nothing is asked for: one, unless the tasks were more than an array may have} */
     static int chunk(int frames, int bands) {
@@ -39,7 +39,7 @@ record JobPlan(String scene, Resolution size, FrameRanges frames, int bands, int
 
     /** {@return the number of digits in the names of numbered pictures} */
     int digits() {
-        return frames == null ? LEAST_DIGITS : Math.max(LEAST_DIGITS, Integer.toString(frames.last()).length());
+        return frames == null ? MIN_DIGITS : Math.max(MIN_DIGITS, Integer.toString(frames.last()).length());
     }
 
     /** {@return a name for the job: that of the scene, as far as all engines allow it} */

@@ -61,8 +61,10 @@ final class RayFigures {
         double most = Double.NEGATIVE_INFINITY;
         for (int j = 0; j < GRID; j++) {
             for (int i = 0; i < GRID; i++) {
-                PixelStory story = explainer.story((2 * i + 1) * explainer.width() / (2 * GRID), (2 * j + 1) * explainer.height() / (2 * GRID), true);
-                double worth = worth(story.samples().get(story.samples().size() / 2).tree()) - Math.hypot(i - GRID / 2, j - GRID / 2) / GRID;
+                PixelStory story = explainer.story((2 * i + 1) * explainer.width() / (2 * GRID),
+                    (2 * j + 1) * explainer.height() / (2 * GRID), true);
+                double worth = worth(story.samples().get(story.samples().size() / 2).tree())
+                    - Math.hypot(i - GRID / 2, j - GRID / 2) / GRID;
                 if (worth > most) {
                     most = worth;
                     best = story;

@@ -112,7 +112,8 @@ public final class OutsideScene {
     private double[] distances(PerspectiveCamera camera) {
         int width = camera.width();
         double[] distances = new double[width * camera.height()];
-        CompiledScene compiled = prepared.compiled(opened, camera.eye(), () -> new CompiledScene(opened, camera.eye(), threads, distances.length));
+        CompiledScene compiled = prepared.compiled(opened, camera.eye(),
+            () -> new CompiledScene(opened, camera.eye(), threads, distances.length));
         Thread caller = Thread.currentThread();
         IntStream.range(0, camera.height()).parallel().filter(y -> !caller.isInterrupted()).forEach(y -> {
             Intersector intersector = compiled.intersector(new RayStats());

@@ -43,13 +43,13 @@ public final class RayDrawing {
     private static final Color SHADE = new Color(0, 0, 0, 140);
     private static final Color GRID = new Color(220, 230, 255, 110);
     private static final Color PIXEL = new Color(255, 255, 255, 230);
-    private static final int MOST_CELLS = 12;
+    private static final int MAX_CELLS = 12;
     /** The distance of the image plane, as a share of that of the first hit. */
     private static final double PLANE = 0.3;
     /** How much nearer than a ray a surface must be to hide it, as a share of the distance. */
     private static final double TOLERANCE = 2e-3;
     private static final double NEAR = 1e-6;
-    private static final int MOST_STEPS = 1 << 14;
+    private static final int MAX_STEPS = 1 << 14;
     private static final double HEAD = 11;
     private static final double HEAD_ANGLE = 0.42;
     private static final int MARGIN = 10;
@@ -200,7 +200,7 @@ public final class RayDrawing {
     private void paintLine(Graphics2D g, double[] ends, Color colour, float width, float[] dash) {
         double dx = ends[3] - ends[0];
         double dy = ends[4] - ends[1];
-        int steps = (int) Math.max(1, Math.min(MOST_STEPS, Math.ceil(Math.max(Math.abs(dx), Math.abs(dy)))));
+        int steps = (int) Math.max(1, Math.min(MAX_STEPS, Math.ceil(Math.max(Math.abs(dx), Math.abs(dy)))));
         Color pale = new Color(colour.getRed(), colour.getGreen(), colour.getBlue(), Math.min(colour.getAlpha(), HIDDEN_ALPHA));
         int begin = 0;
         boolean hidden = isHidden(ends, 0.5 / steps);
@@ -258,8 +258,8 @@ public final class RayDrawing {
         int w = inside.width();
         int h = inside.height();
         double away = PLANE * Vector.subtract(primary.from(), primary.to()).norm();
-        int across = Math.min(w, MOST_CELLS);
-        int down = Math.min(h, Math.max(1, (int) Math.round((double) MOST_CELLS * h / w)));
+        int across = Math.min(w, MAX_CELLS);
+        int down = Math.min(h, Math.max(1, (int) Math.round((double) MAX_CELLS * h / w)));
         for (int i = 0; i <= across; i++) {
             paintGrid(g, onPlane((double) i * w / across, 0, away), onPlane((double) i * w / across, h, away));
         }

@@ -56,7 +56,8 @@ public final class AreaLight extends Light {
      */
     public void point(int i, PointLight lamp) {
         double alongU = (i % side + 0.5) / side;
-        double alongV = (i / side + 0.5) / side;
+        int row = i / side;
+        double alongV = (row + 0.5) / side;
         lamp.origin.set(corner.x + alongU * u.x + alongV * v.x, corner.y + alongU * u.y + alongV * v.y,
             corner.z + alongU * u.z + alongV * v.z);
         int all = points();

@@ -39,7 +39,7 @@ public final class FrameTexts {
         @Override
         public void write(byte[] b, int off, int len) {
             digest.update(b, off, len);
-            isWhole &= len <= longest - bytes.size();
+            isWhole = isWhole && len <= longest - bytes.size();
             if (isWhole) {
                 bytes.write(b, off, len);
             }

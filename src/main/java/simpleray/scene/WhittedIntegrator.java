@@ -168,8 +168,12 @@ public final class WhittedIntegrator implements Integrator {
                 light = lamp;
                 set(diffuseBefore, diffuseR, diffuseG, diffuseB);
                 set(specularBefore, specularR, specularG, specularB);
-                diffuseR = diffuseG = diffuseB = 0;
-                specularR = specularG = specularB = 0;
+                diffuseR = 0;
+                diffuseG = 0;
+                diffuseB = 0;
+                specularR = 0;
+                specularG = 0;
+                specularB = 0;
                 visibility.approach(area, at);
             }
             for (int k = 0; k < points; k++) {

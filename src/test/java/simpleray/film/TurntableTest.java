@@ -22,7 +22,8 @@ class TurntableTest {
     }
 
     private static void assertPose(Pose pose, double... n) {
-        assertThat(new double[] {pose.ex(), pose.ey(), pose.ez(), pose.lx(), pose.ly(), pose.lz(), pose.fov()}).containsExactly(n, within(NEAR));
+        assertThat(new double[] {pose.ex(), pose.ey(), pose.ez(), pose.lx(), pose.ly(), pose.lz(), pose.fov()})
+            .containsExactly(n, within(NEAR));
     }
 
     @Test

@@ -64,7 +64,8 @@ class CompiledSceneFramesTest {
         Light other = new PointLight(new Point(1, 1, 5));
         CompiledScene first = compiled(scene(lamp, other, new DirectionalLight()));
 
-        CompiledScene next = first.with(scene(new PointLight(new Point(0, 5, 0)), new PointLight(new Point(1, 1, 6)), new DirectionalLight()));
+        CompiledScene next = first.with(scene(new PointLight(new Point(0, 5, 0)), new PointLight(new Point(1, 1, 6)),
+            new DirectionalLight()));
 
         assertThat(next.lightBuffers[0]).as("of the same place").isSameAs(first.lightBuffers[0]);
         assertThat(next.lightBuffers[1]).isNotNull().isNotSameAs(first.lightBuffers[1]);
