@@ -62,7 +62,7 @@ final class DrawOptions extends OptionGroup {
     }
 
     /** Draws the rays of a pixel. */
-    void draw(Main main, PixelStory story, RenderRequest request, String name, SceneFile file) throws CommandException {
+    void draw(Main main, boolean quiet, PixelStory story, RenderRequest request, String name, SceneFile file) throws CommandException {
         OutputName.refuseNamed(out.value(), name, file);
         int width = (size.value() == null ? SIZE : size.value()).width();
         int height = (size.value() == null ? SIZE : size.value()).height();
@@ -80,16 +80,16 @@ final class DrawOptions extends OptionGroup {
             throw CommandException.usage("--from must be " + e.getMessage());
         }
         drawing.tell(Provenance.ofSheet(request, file, "rays: pixel " + story.x() + ',' + story.y()));
-        write(main, drawing);
+        write(main, quiet, drawing);
     }
 
-    private void write(Main main, Picture drawing) throws CommandException {
+    private void write(Main main, boolean quiet, Picture drawing) throws CommandException {
         try {
             if (out.value().equals(SceneArgument.STREAM)) {
                 PngWriter.write(drawing, main.out());
                 return;
             }
-            try (AtomicFile target = TextOutput.begin(out.value(), main.err())) {
+            try (AtomicFile target = TextOutput.begin(out.value(), quiet ? null : main.err())) {
                 PngWriter.write(drawing, target.out());
                 target.commit();
             }

@@ -35,7 +35,8 @@ class EveryOutputTest {
     /** {@return all that writes one file} In a line @ stands for the folder of what is read. */
     static List<String> files() {
         return List.of("render @ball.scene --progress plain -o", "merge @2.png @1.png -q -o", "convert @ball.scene",
-            "still @ball.scene -o", "export --pov @ball.scene -o", "compare @one.png @other.png --heatmap", "explain @ball.scene --pixel 5,5 -q --draw-size 9x9 --draw");
+            "still @ball.scene -o", "export --pov @ball.scene -o", "compare @one.png @other.png --heatmap",
+            "explain @ball.scene --pixel 5,5 -q --draw-size 9x9 --draw");
     }
 
     /** {@return all that writes to standard output} */
@@ -55,11 +56,16 @@ class EveryOutputTest {
 
     @BeforeAll
     static void makeWhatIsRead() throws IOException {
-        Files.writeString(made.resolve("ball.scene"), SmallScenes.ROUGH);
-        assertThat(run("render @ball.scene -q -o @one.png" + SIZE).exitCode()).isZero();
-        assertThat(run("render @ball.scene -q -o @other.png --cop 3" + SIZE).exitCode()).isZero();
-        assertThat(run("render @ball.scene -q -o @1.png --band 1/2" + SIZE).exitCode()).isZero();
-        assertThat(run("render @ball.scene -q -o @2.png --band 2/2" + SIZE).exitCode()).isZero();
+        makeWhatIsRead(made);
+    }
+
+    /** Makes the files that the lines read, in the folder that @ stands for. */
+    static void makeWhatIsRead(Path folder) throws IOException {
+        Files.writeString(folder.resolve("ball.scene"), SmallScenes.ROUGH);
+        for (String options : List.of("one.png", "other.png --cop 3", "1.png --band 1/2", "2.png --band 2/2")) {
+            String line = "render @ball.scene -q -o @" + options + SIZE;
+            assertThat(InProcess.run(line.replace("@", folder + "/").split(" ")).exitCode()).isZero();
+        }
     }
 
     @BeforeEach

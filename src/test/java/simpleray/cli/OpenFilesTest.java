@@ -37,11 +37,7 @@ class OpenFilesTest {
     @BeforeAll
     static void makeWhatIsRead() throws IOException {
         assumeTrue(Files.exists(Path.of("/proc/self/fd")) && Files.isExecutable(Path.of("/bin/bash")), "no Linux with bash");
-        Files.writeString(made.resolve("ball.scene"), SmallScenes.ROUGH);
-        for (String cop : List.of("2", "3")) {
-            assertThat(InProcess.run("render", made.resolve("ball.scene").toString(), "-q", "--size", "20x20", "--cop", cop, "-o",
-                made.resolve(cop.equals("2") ? "one.png" : "other.png").toString()).exitCode()).isZero();
-        }
+        EveryOutputTest.makeWhatIsRead(made);
     }
 
     /** {@return what bash says when it runs a script, in which R stands for the program} */

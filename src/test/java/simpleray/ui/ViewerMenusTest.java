@@ -48,7 +48,8 @@ class ViewerMenusTest {
     @Test
     void theInspectMenuHasTheStoryAndThePixelCursor() {
         assertThat(items(opened("Inspect"))).containsExactly("Story of the Pixel pressed I", "Copy Story shift ctrl pressed I",
-            "Close Story shift pressed I", "Pixel Cursor Left alt pressed LEFT", "Pixel Cursor Right alt pressed RIGHT",
+            "Close Story shift pressed I", "Next Ray pressed PERIOD", "Previous Ray pressed COMMA",
+            "Normals and Halfway Vectors shift pressed V", "Pixel Cursor Left alt pressed LEFT", "Pixel Cursor Right alt pressed RIGHT",
             "Pixel Cursor Up alt pressed UP", "Pixel Cursor Down alt pressed DOWN");
     }
 

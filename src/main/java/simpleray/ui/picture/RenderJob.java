@@ -314,7 +314,7 @@ public final class RenderJob {
             throw new CancellationException("interrupted");
         }
         Snapshot end = last.snapshot();
-        checked = last.checked || !known.isEmpty();
+        checked = last.checked || !known.isEmpty() || !end.failure.isEmpty();
         latest.set(new Snapshot(State.RENDERING, end.loaded, null, known.isEmpty() ? end.findings : known, "", 0));
         return end.loaded;
     }
