@@ -91,6 +91,42 @@ class PngChunksTest {
         assertThat(in.available()).isEqualTo("2 # objects".length() - 1);
     }
 
+    @Test
+    void aFileIsReadToTheEndOfItsLastChunkAndNoFarther() throws IOException {
+        byte[] png = small();
+        byte[] longer = Arrays.copyOf(png, png.length + 3);
+        ByteArrayInputStream in = new ByteArrayInputStream(longer);
+
+        assertThat(PngChunks.readFile(in)).isEqualTo(png);
+        assertThat(in.available()).isEqualTo(3);
+    }
+
+    @Test
+    void ofAFileThatBreaksOffAllIsRead() throws IOException {
+        byte[] png = small();
+        for (int length = 0; length <= png.length; length++) {
+            byte[] cut = Arrays.copyOf(png, length);
+            assertThat(PngChunks.readFile(new ByteArrayInputStream(cut))).as("%d bytes", length).isEqualTo(cut);
+        }
+    }
+
+    @Test
+    void ofAnotherFileEightBytesAreRead() throws IOException {
+        ByteArrayInputStream in = new ByteArrayInputStream("no picture at all".getBytes(StandardCharsets.US_ASCII));
+
+        assertThat(PngChunks.readFile(in)).asString(StandardCharsets.US_ASCII).isEqualTo("no pictu");
+        assertThat(in.available()).isEqualTo(9);
+    }
+
+    private static byte[] small() throws IOException {
+        ByteArrayOutputStream file = new ByteArrayOutputStream();
+        file.write(PngChunks.signature());
+        write(file, "IHDR", DATA);
+        write(file, "tEXt", new byte[0]);
+        write(file, "IEND", new byte[0]);
+        return file.toByteArray();
+    }
+
     private static PushbackInputStream file(byte[] bytes) {
         return new PushbackInputStream(new ByteArrayInputStream(bytes), 8);
     }
