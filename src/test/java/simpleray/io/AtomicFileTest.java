@@ -39,6 +39,16 @@ class AtomicFileTest {
     }
 
     @Test
+    void anotherProgramMayWriteTheFileBesideTheTarget() throws IOException {
+        try (AtomicFile file = new AtomicFile(target)) {
+            assertThat(file.file()).isNotEqualTo(target).hasParent(target.getParent());
+            Files.writeString(file.file(), "a film");
+            file.commit();
+        }
+        assertThat(Files.readString(target)).isEqualTo("a film");
+    }
+
+    @Test
     void aDiskThatBecomesFullLeavesTheOldFileAndNothingElse() throws IOException {
         Files.writeString(target, "the old picture");
         try (AtomicFile file = new AtomicFile(target)) {

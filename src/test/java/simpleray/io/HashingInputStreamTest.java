@@ -12,6 +12,15 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class HashingInputStreamTest {
+    @Test
+    void theRestIsGivenIfItIsNotTooLong() throws IOException {
+        byte[] ten = new byte[10];
+        assertThat(new HashingInputStream(new ByteArrayInputStream(ten), 100).rest(11)).isEqualTo(ten);
+        assertThat(new HashingInputStream(new ByteArrayInputStream(ten), 100).rest(10)).isEqualTo(ten);
+        assertThat(new HashingInputStream(new ByteArrayInputStream(ten), 100).rest(9)).isNull();
+        assertThat(new HashingInputStream(new ByteArrayInputStream(ten), 9).rest(20)).isNull();
+    }
+
     @ParameterizedTest
     @ValueSource(ints = {0, 1, 2, 7, 8, 65_536, 65_537, 3_000_000})
     void whatIsReadIsDigestedAndKept(int length) throws IOException {
