@@ -122,7 +122,7 @@ public final class Progress {
      * @return seconds; NaN as long as only known rows are finished
      */
     public synchronized double left(long now) {
-        double done = Math.max(finished, worked) - known;
+        double done = Math.max((double) finished, worked) - known;
         return done <= 0 ? Double.NaN : elapsed(now) * (rows - known - done) / done;
     }
 
