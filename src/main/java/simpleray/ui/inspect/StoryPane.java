@@ -115,6 +115,7 @@ final class StoryPane extends JPanel {
     }
 
     /** Selects the first line about a ray, or about a light at its hit. */
+    @SuppressWarnings("ReferenceEquality")                    // the very ray, not one like it
     void select(RayTree ray, RayTree.Lamp lamp) {
         DefaultMutableTreeNode root = (DefaultMutableTreeNode) tree.getModel().getRoot();
         for (TreeNode any : Collections.list(root.preorderEnumeration())) {
