@@ -33,6 +33,7 @@ final class RayFigures {
     }
 
     /** {@return four pictures of the request's size} */
+    @SuppressWarnings("ReferenceEquality")                    // the very ray, not one like it
     static List<Picture> of(Scene scene, RenderRequest request) {
         Camera inside = scene.settings.newCamera();
         PixelStory story = pixel(request.with(Stage.FINAL).renderer(scene).explainer());

@@ -179,6 +179,7 @@ public record RaySegment(Kind kind, Point from, Point to, boolean endless, RayTr
      * @param specular whether the halfway vector and the ray from the eye are shown too (figure 9)
      * @return some segments; all of them if no light reaches the first hit
      */
+    @SuppressWarnings("ReferenceEquality")                    // the very ray, not one like it
     public static List<RaySegment> lighting(List<RaySegment> segments, boolean specular) {
         RaySegment primary = segments.get(0);
         RaySegment light = segments.stream().filter(s -> s.kind == Kind.ARRIVING && s.ray == primary.ray).findFirst().orElse(null);

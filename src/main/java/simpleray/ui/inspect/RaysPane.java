@@ -95,6 +95,7 @@ final class RaysPane extends JPanel {
     }
 
     /** Chooses what shows a ray, or a light at its hit; the ray if nothing shows that light. */
+    @SuppressWarnings("ReferenceEquality")                    // the very ray, not one like it
     void choose(RayTree ray, RayTree.Lamp lamp) {
         List<RaySegment> all = view.segments();
         int found = -1;
