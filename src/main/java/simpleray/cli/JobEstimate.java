@@ -132,6 +132,6 @@ record JobEstimate(long heap, double start, double picture) {
      */
     long minutes(double pictures) {
         double seconds = SAFETY * (Math.ceil(pictures) * start + pictures * picture);
-        return (long) (Math.floor(seconds / MINUTE / STEP_MINUTES) + 1) * STEP_MINUTES;
+        return ((long) Math.floor(seconds / MINUTE / STEP_MINUTES) + 1) * STEP_MINUTES;
     }
 }
