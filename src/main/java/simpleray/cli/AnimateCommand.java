@@ -284,7 +284,7 @@ final class AnimateCommand implements Callable<Integer> {
                 GifFilm.write(files, fps, target.out());
             } else {
                 FrameRate.Fraction fraction = fps.fraction(MAX_DELAY);
-                ApngWriter.write(files, fraction.denominator(), fraction.numerator(), target.out());
+                ApngWriter.write(files, /* numerator= */ fraction.denominator(), /* denominator= */ fraction.numerator(), target.out());
             }
             target.commit();
             interrupt.finished();
