@@ -102,11 +102,8 @@ public final class AreaLight extends Light {
     @Override
     public void read(SceneReader is) throws IOException {
         readIntensity(is);
-        corner = new Point();
         is.group();
-        is.enter("corner");
-        corner.read(is);
-        is.leave();
+        corner = Lengths.readPoint(is, "corner");
         Lengths.check(is, "corner", corner.x, corner.y, corner.z);
         is.group();
         u = readEdge(is, "edge u");

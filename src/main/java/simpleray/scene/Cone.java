@@ -242,11 +242,8 @@ public final class Cone extends Object {
     }
 
     private static Point readEnd(SceneReader is, String name) throws IOException {
-        Point point = new Point();
         is.group();
-        is.enter(name);
-        point.read(is);
-        is.leave();
+        Point point = Lengths.readPoint(is, name);
         Lengths.check(is, name, point.x, point.y, point.z);
         return point;
     }

@@ -195,8 +195,8 @@ public final class Cylinder extends Object {
     @Override
     public void read(SceneReader is) throws IOException {
         is.group();
-        start = readEnd(is, "first end");
-        end = readEnd(is, "second end");
+        start = Lengths.readPoint(is, "first end");
+        end = Lengths.readPoint(is, "second end");
         if (start.equals(end)) {
             is.rejectGroup(ENDS_DIFFER);
         }
@@ -204,14 +204,6 @@ public final class Cylinder extends Object {
         radius = is.readDouble("radius");
         Lengths.checkRadius(is, radius);
         readMaterial(is);
-    }
-
-    private static Point readEnd(SceneReader is, String name) throws IOException {
-        Point point = new Point();
-        is.enter(name);
-        point.read(is);
-        is.leave();
-        return point;
     }
 
     @Override

@@ -6,7 +6,7 @@ import simpleray.math.Vector;
 import simpleray.text.SceneReader;
 
 /**
- * The limits of the numbers of a shape. Hits are computed by products of up to three of them. Beyond 1e308 a product is infinite, and rays
+ * The points of a shape as they are read and moved, and the limits of its numbers. Hits are computed by products of up to three of them. Beyond 1e308 a product is infinite, and rays
  * would miss the shape without an error.
  */
 final class Lengths {
@@ -28,6 +28,15 @@ final class Lengths {
                 return;
             }
         }
+    }
+
+    /** {@return a point, read under this name, of any numbers} */
+    static Point readPoint(SceneReader is, String name) throws IOException {
+        Point point = new Point();
+        is.enter(name);
+        point.read(is);
+        is.leave();
+        return point;
     }
 
     /** {@return a point moved by t} Throws an IllegalArgumentException if it is then beyond the limit. */

@@ -364,10 +364,7 @@ public final class Mesh extends Object {
         file = is.readQuoted("OBJ file");
         mesh = MeshFiles.of(is).load(is, file);
         is.group();
-        is.enter("offset");
-        offset = new Point();
-        offset.read(is);
-        is.leave();
+        offset = Lengths.readPoint(is, "offset");
         Lengths.check(is, "offset", offset.x, offset.y, offset.z);
         scale = is.readDouble("scale");
         if (scale == 0) {

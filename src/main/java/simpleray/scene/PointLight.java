@@ -58,10 +58,7 @@ public final class PointLight extends Light {
     @Override
     public void read(SceneReader is) throws IOException {
         readIntensity(is);
-        is.enter("origin");
-        origin = new Point();
-        origin.read(is);
-        is.leave();
+        origin = Lengths.readPoint(is, "origin");
     }
 
     @Override

@@ -131,10 +131,7 @@ public final class Sphere extends Object {
     @Override
     public void read(SceneReader is) throws IOException {
         is.group();
-        is.enter("centre");
-        centre = new Point();
-        centre.read(is);
-        is.leave();
+        centre = Lengths.readPoint(is, "centre");
         Lengths.check(is, "centre", centre.x, centre.y, centre.z);
         radius = is.readDouble("radius");
         Lengths.checkRadius(is, radius);

@@ -186,22 +186,14 @@ public final class Triangle extends Object {
     @Override
     public void read(SceneReader is) throws IOException {
         is.group();
-        a = readVertex(is, "first vertex");
-        b = readVertex(is, "second vertex");
-        c = readVertex(is, "third vertex");
+        a = Lengths.readPoint(is, "first vertex");
+        b = Lengths.readPoint(is, "second vertex");
+        c = Lengths.readPoint(is, "third vertex");
         if (isFlat()) {
             is.rejectGroup(NOT_ON_ONE_LINE);
         }
         Lengths.check(is, "vertices", a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z);
         readMaterial(is);
-    }
-
-    private static Point readVertex(SceneReader is, String name) throws IOException {
-        Point vertex = new Point();
-        is.enter(name);
-        vertex.read(is);
-        is.leave();
-        return vertex;
     }
 
     @Override
