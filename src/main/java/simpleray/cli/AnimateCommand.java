@@ -62,7 +62,7 @@ final class AnimateCommand implements Callable<Integer> {
         "Only these frames of the film, such as 0-99,120; the first is 0.", "--frames") {
         @Override
         BitSet parse(String text) {
-            return FrameList.parse(text);
+            return FrameList.parse(text, "numbers of frames");
         }
     });
 

@@ -1,10 +1,10 @@
 package simpleray.cli;
 
 import java.util.ArrayList;
-import java.util.Comparator;
+import java.util.BitSet;
 import java.util.List;
 import java.util.stream.Collectors;
-import simpleray.text.NumberParser;
+import simpleray.film.FrameList;
 
 /**
  * Frames of a film, in their order. <em>Constant.</em>
@@ -12,8 +12,6 @@ import simpleray.text.NumberParser;
  * @param ranges ranges that neither overlap nor touch, one or more
  */
 record FrameRanges(List<Range> ranges) {
-    private static final int MAX_FRAME = 999_999;
-
     /** From one frame to another. */
     record Range(int first, int last) {
         int count() {
@@ -37,31 +35,12 @@ record FrameRanges(List<Range> ranges) {
      * @throws IllegalArgumentException if it cannot be read; the message says what was expected, and what was found
      */
     static FrameRanges parse(String text) {
-        List<Range> asked = new ArrayList<>();
-        for (String word : text.split(",", -1)) {
-            int dash = word.indexOf('-');
-            Long first = number(dash < 0 ? word : word.substring(0, dash));
-            Long last = dash < 0 ? first : number(word.substring(dash + 1));
-            if (first == null || last == null || first > last) {
-                throw new IllegalArgumentException("expected frames such as 0-99,120, found '" + text + "'");
-            }
-            asked.add(new Range(first.intValue(), last.intValue()));
+        BitSet frames = FrameList.parse(text, "frames");
+        List<Range> ranges = new ArrayList<>();
+        for (int first = frames.nextSetBit(0); first >= 0; first = frames.nextSetBit(ranges.get(ranges.size() - 1).last + 1)) {
+            ranges.add(new Range(first, frames.nextClearBit(first) - 1));
         }
-        asked.sort(Comparator.comparingInt(Range::first));
-        List<Range> joined = new ArrayList<>();
-        for (Range range : asked) {
-            Range before = joined.isEmpty() ? null : joined.get(joined.size() - 1);
-            if (before != null && range.first <= before.last + 1) {
-                joined.set(joined.size() - 1, new Range(before.first, Math.max(before.last, range.last)));
-            } else {
-                joined.add(range);
-            }
-        }
-        return new FrameRanges(List.copyOf(joined));
-    }
-
-    private static Long number(String word) {
-        return NumberParser.parseInteger(word, 0, MAX_FRAME);
+        return new FrameRanges(List.copyOf(ranges));
     }
 
     /** {@return the number of frames} */

@@ -6,8 +6,8 @@ import simpleray.math.Vector;
 import simpleray.text.SceneReader;
 
 /**
- * The points of a shape as they are read and moved, and the limits of its numbers. Hits are computed by products of up to three of them. Beyond 1e308 a product is infinite, and rays
- * would miss the shape without an error.
+ * The points of a shape as they are read and moved, and the limits of its numbers. Hits are computed by products of up to three of them. Beyond
+ * 1e308 a product is infinite, and rays would miss the shape without an error.
  */
 final class Lengths {
     /** The largest. */

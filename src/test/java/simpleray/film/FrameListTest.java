@@ -10,16 +10,16 @@ import org.junit.jupiter.params.provider.ValueSource;
 class FrameListTest {
     @Test
     void numbersAndRangesAreTheFramesInOrder() {
-        assertThat(FrameList.parse("0-3,7").stream()).containsExactly(0, 1, 2, 3, 7);
-        assertThat(FrameList.parse("9,2-3,3-4,2").stream()).containsExactly(2, 3, 4, 9);
-        assertThat(FrameList.parse("5-5").stream()).containsExactly(5);
-        assertThat(FrameList.parse("999999").stream()).containsExactly(999999);
+        assertThat(FrameList.parse("0-3,7", "frames").stream()).containsExactly(0, 1, 2, 3, 7);
+        assertThat(FrameList.parse("9,2-3,3-4,2", "frames").stream()).containsExactly(2, 3, 4, 9);
+        assertThat(FrameList.parse("5-5", "frames").stream()).containsExactly(5);
+        assertThat(FrameList.parse("999999", "frames").stream()).containsExactly(999999);
     }
 
     @ParameterizedTest
     @ValueSource(strings = {"", ",", "1,", "3-2", "-1", "1-", "1--2", "a", "1.5", "0-1000000", "1 -2"})
     void anythingElseIsRefused(String text) {
-        assertThatThrownBy(() -> FrameList.parse(text)).isInstanceOf(IllegalArgumentException.class)
+        assertThatThrownBy(() -> FrameList.parse(text, "numbers of frames")).isInstanceOf(IllegalArgumentException.class)
             .hasMessage("expected numbers of frames such as 0-99,120, found '" + text + "'");
     }
 }
