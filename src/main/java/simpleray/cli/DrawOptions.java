@@ -17,6 +17,7 @@ import simpleray.render.Provenance;
 import simpleray.render.RenderRequest;
 import simpleray.render.Stage;
 import simpleray.scene.Camera;
+import simpleray.scene.PerspectiveCamera.Pose;
 import simpleray.scene.Scene;
 import simpleray.scene.SceneFile;
 import simpleray.scene.SceneSettings.Resolution;
@@ -56,6 +57,9 @@ final class DrawOptions extends OptionGroup {
 
     /** Makes sure, before the scene is read, that the drawing may have its name. */
     void checkName(String scene) throws CommandException {
+        if (OutputName.isStandardOutput(out.value())) {
+            throw CommandException.usage("the drawing and the story cannot both go to standard output");
+        }
         OutputName.refuseOtherFormats(out.value());
         OutputName.refuseScene(out.value(), scene);
         OutputName.refuseSceneNames(out.value());
@@ -71,28 +75,24 @@ final class DrawOptions extends OptionGroup {
         Camera inside = scene.settings.newCamera();
         List<RaySegment> segments = RaySegment.of(story, scene);
         Set<Kind> kinds = vectors.value() ? EnumSet.allOf(Kind.class) : RayDrawing.RAYS;
-        Picture drawing;
-        try {
-            OutsideView view = OutsideView.of(scene, segments.get(0).from(), OutsideView.pose(segments, from.value()), width, height,
-                Stage.FINAL, SAMPLES);
-            drawing = new RayDrawing(view, inside, segments, kinds).picture(story.x(), story.y());
-        } catch (IllegalArgumentException e) {
-            throw CommandException.usage("--from must be " + e.getMessage());
-        }
+        OutsideView view = OutsideView.of(scene, segments.get(0).from(), pose(segments), width, height, Stage.FINAL, SAMPLES);
+        Picture drawing = new RayDrawing(view, inside, segments, kinds).picture(story.x(), story.y());
         drawing.tell(Provenance.ofSheet(request, file, "rays: pixel " + story.x() + ',' + story.y()));
         write(main, quiet, drawing);
     }
 
-    private void write(Main main, boolean quiet, Picture drawing) throws CommandException {
+    private Pose pose(List<RaySegment> segments) throws CommandException {
         try {
-            if (out.value().equals(SceneArgument.STREAM)) {
-                PngWriter.write(drawing, main.out());
-                return;
-            }
-            try (AtomicFile target = TextOutput.begin(out.value(), quiet ? null : main.err())) {
-                PngWriter.write(drawing, target.out());
-                target.commit();
-            }
+            return OutsideView.pose(segments, from.value());
+        } catch (IllegalArgumentException e) {
+            throw CommandException.usage("--from must be " + e.getMessage());
+        }
+    }
+
+    private void write(Main main, boolean quiet, Picture drawing) throws CommandException {
+        try (AtomicFile target = TextOutput.begin(out.value(), quiet ? null : main.err())) {
+            PngWriter.write(drawing, target.out());
+            target.commit();
         } catch (IOException e) {
             throw new CommandException(ExitCode.WRITE_ERROR, "simpleray: " + out.value() + ": cannot be written: " + e.getMessage());
         }

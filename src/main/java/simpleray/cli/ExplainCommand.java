@@ -91,7 +91,7 @@ final class ExplainCommand implements Callable<Integer> {
         }
         PixelStory story = explainer.story(pixel.x, pixel.y, points);
         if (drawn) {
-            drawing.draw(main, quiet, explainer.story(pixel.x, pixel.y, true), request, scene, read);
+            drawing.draw(main, quiet, points ? story : explainer.story(pixel.x, pixel.y, true), request, scene, read);
         }
         TextOutput.say(main, format == Format.JSON ? StoryJson.of(story) : StoryText.of(story));
         return ExitCode.DONE;

@@ -23,6 +23,11 @@ final class OutputName {
     private OutputName() {
     }
 
+    /** {@return whether an output is standard output, by whatever name} */
+    static boolean isStandardOutput(String output) {
+        return output.equals(SceneArgument.STREAM) || OutputTarget.isStandardOutput(Path.of(output));
+    }
+
     /**
      * Makes sure that a name does not end as that of a folder.
      *

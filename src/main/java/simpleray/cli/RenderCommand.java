@@ -240,7 +240,7 @@ final class RenderCommand implements PlainCommand {
             return;
         }
         String text = new Stats(readSeconds, renderer.stats()).text(stats.value());
-        if (output.equals(SceneArgument.STREAM) || OutputTarget.isStandardOutput(Path.of(output))) {
+        if (OutputName.isStandardOutput(output)) {
             main.err().print(text);
         } else {
             TextOutput.say(main, text);

@@ -1,9 +1,7 @@
 package simpleray.cli;
 
 import java.io.PrintStream;
-import java.nio.file.Path;
 import simpleray.image.Picture;
-import simpleray.io.OutputTarget;
 import simpleray.render.Accel;
 import simpleray.render.Progress;
 
@@ -67,8 +65,7 @@ final class WorkOptions extends OptionGroup {
      * @throws CommandException if it goes there, too
      */
     void requireFreeOutput(String output) throws CommandException {
-        if (progress.value() == ProgressPrinter.Style.OPENJD
-            && (output.equals(SceneArgument.STREAM) || OutputTarget.isStandardOutput(Path.of(output)))) {
+        if (progress.value() == ProgressPrinter.Style.OPENJD && OutputName.isStandardOutput(output)) {
             throw CommandException.usage("--progress openjd and the picture cannot both go to standard output");
         }
     }

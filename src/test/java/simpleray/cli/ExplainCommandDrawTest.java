@@ -61,6 +61,8 @@ class ExplainCommandDrawTest {
         "--from 1,2,3                                     | --from, --draw-size and --vectors belong to --draw OUT.png",
         "--vectors                                        | --from, --draw-size and --vectors belong to --draw OUT.png",
         "--draw rays.gif                                  | pictures are written as PNG only: call the output rays.gif.png?",
+        "--draw -                                         | the drawing and the story cannot both go to standard output",
+        "--draw /dev/stdout                               | the drawing and the story cannot both go to standard output",
         "--draw rays.png --from 1,2                       | expected three numbers such as 4,2.5,-1, found '1,2'",
         "--draw rays.png --from 1,2,1e101                 | expected three numbers such as 4,2.5,-1, found '1,2,1e101'",
         "--draw rays.png --draw-size 0x9                  | expected WxH such as 640x480, 1 to 65535 each, found '0x9'"})
