@@ -112,6 +112,8 @@ final class AnimateCommand implements Callable<Integer> {
     private final BitSet kept = new BitSet();                 // frames that an ended run has left
     private final AtomicInteger whole = new AtomicInteger();  // frames that are there
     private PreparedScene prepared;
+    private int width;                                        // of each frame
+    private int height;
     private FilmInterrupt interrupt;
     private ProgressPrinter printer;
 
@@ -181,7 +183,10 @@ final class AnimateCommand implements Callable<Integer> {
             }
             Frame first = frame(frames.nextSetBit(0));
             prepared = new PreparedScene(first.scene);
-            requireMemory(prepared.renderer(first.request));
+            Renderer renderer = prepared.renderer(first.request);
+            width = renderer.picture().width();
+            height = renderer.picture().height();
+            requireMemory(renderer);
         } catch (IllegalArgumentException e) {
             throw CommandException.usage(e.getMessage());
         }
@@ -220,8 +225,6 @@ final class AnimateCommand implements Callable<Integer> {
     }
 
     private void requireMemory(Renderer renderer) throws CommandException {
-        int width = renderer.picture().width();
-        int height = renderer.picture().height();
         long frame = 3L * width * height;
         long extra = output.kind().isByFfmpeg() ? frame : output.kind() == FilmOutput.Kind.GIF ? GifFilm.bytesNeeded(width, height) : 0;
         if (output.kind().isByFfmpeg() && frame > Integer.MAX_VALUE - Long.BYTES) {
@@ -297,13 +300,12 @@ final class AnimateCommand implements Callable<Integer> {
     }
 
     private void pipe(AtomicFile target) throws IOException, CommandException {
-        Picture size = prepared.renderer(request).picture();
-        try (FfmpegFilm coder = ffmpeg(size, target.file())) {
-            byte[] levels = new byte[3 * size.width() * size.height()];
+        try (FfmpegFilm coder = ffmpeg(target.file())) {
+            byte[] levels = new byte[3 * width * height];
             renderFrames((f, frame, renderer) -> {
                 Picture rendered = renderer.picture();
                 render(renderer, y -> {
-                    rendered.levels(y, levels, 3 * rendered.width() * y);
+                    rendered.levels(y, levels, 3 * width * y);
                     rendered.release(y);
                     printer.rowFinished(y);
                 });
@@ -315,10 +317,9 @@ final class AnimateCommand implements Callable<Integer> {
         }
     }
 
-    private FfmpegFilm ffmpeg(Picture size, Path target) throws CommandException {
+    private FfmpegFilm ffmpeg(Path target) throws CommandException {
         try {
-            return new FfmpegFilm(FfmpegFilm.PROGRAM, FfmpegFilm.Format.valueOf(output.kind().name()),
-                size.width(), size.height(), fps, target);
+            return new FfmpegFilm(FfmpegFilm.PROGRAM, FfmpegFilm.Format.valueOf(output.kind().name()), width, height, fps, target);
         } catch (IOException e) {
             throw new CommandException(ExitCode.UNAVAILABLE, "simpleray: " + out + ": ffmpeg makes it, and is not on the PATH: install it "
                 + "(Debian: apt-get install ffmpeg), or make a .gif or .apng");
@@ -345,7 +346,6 @@ final class AnimateCommand implements Callable<Integer> {
     }
 
     private void renderFrames(Writer writer) throws IOException, CommandException {
-        int height = prepared.renderer(frame(frames.nextSetBit(0)).request).picture().height();
         long known = (long) height * kept.cardinality();
         Progress progress = new Progress((long) height * frames.cardinality(), start, known);
         progress.rowsFinished(known);
@@ -398,9 +398,8 @@ final class AnimateCommand implements Callable<Integer> {
     private void report() {
         interrupt.finished();
         if (!work.quiet()) {
-            Picture size = prepared.renderer(frame(frames.nextSetBit(0)).request).picture();
             int count = frames.cardinality();
-            main.err().println(out + ": " + (count == 1 ? "1 frame" : count + " frames") + " of " + size.width() + 'x' + size.height() + ", "
+            main.err().println(out + ": " + (count == 1 ? "1 frame" : count + " frames") + " of " + width + 'x' + height + ", "
                 + Progress.time(Progress.seconds(start, System.nanoTime())));
         }
     }
