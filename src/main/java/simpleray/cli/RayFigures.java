@@ -58,21 +58,24 @@ final class RayFigures {
 
     /** {@return the pixel that shows most: one whose first hit a light reaches and that has a mirror or refracted ray; near the middle} */
     private static PixelStory pixel(Explainer explainer) {
-        PixelStory best = null;
+        int bestX = 0;
+        int bestY = 0;
         double most = Double.NEGATIVE_INFINITY;
         for (int j = 0; j < GRID; j++) {
             for (int i = 0; i < GRID; i++) {
-                PixelStory story = explainer.story((2 * i + 1) * explainer.width() / (2 * GRID),
-                    (2 * j + 1) * explainer.height() / (2 * GRID), true);
+                int x = (2 * i + 1) * explainer.width() / (2 * GRID);
+                int y = (2 * j + 1) * explainer.height() / (2 * GRID);
+                PixelStory story = explainer.story(x, y);
                 double worth = worth(story.samples().get(story.samples().size() / 2).tree())
                     - Math.hypot(i - GRID / 2, j - GRID / 2) / GRID;
                 if (worth > most) {
                     most = worth;
-                    best = story;
+                    bestX = x;
+                    bestY = y;
                 }
             }
         }
-        return best;
+        return explainer.story(bestX, bestY, true);
     }
 
     private static int worth(RayTree tree) {
