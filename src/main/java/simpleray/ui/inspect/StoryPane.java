@@ -69,7 +69,7 @@ final class StoryPane extends JPanel {
         head.setBorder(BorderFactory.createEmptyBorder(4, 8, 4, 8));
         head.add(title);
         head.add(Box.createHorizontalGlue());
-        head.add(button("Copy", "Copy Story (Ctrl+Shift+C)", copy));
+        head.add(button("Copy", "Copy Story (Ctrl+Shift+I)", copy));
         head.add(Box.createHorizontalStrut(6));
         head.add(button("Close", "Close Story (Shift+I)", close));
         JScrollPane scroll = new JScrollPane(tree);
