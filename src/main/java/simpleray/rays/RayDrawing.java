@@ -323,14 +323,13 @@ public final class RayDrawing {
         g.fillRect(MARGIN, top, wide, LINE * labels.size() + MARGIN);
         int y = top + MARGIN;
         for (Kind kind : used) {
-            float[] dash = DASHES.get(kind);
             g.setColor(COLOURS.get(kind));
-            g.setStroke(stroke(WIDTH, dash, 0));
+            g.setStroke(stroke(WIDTH, DASHES.get(kind), 0));
             paintSample(g, y, kind.label());
             y += LINE;
         }
         g.setColor(Color.LIGHT_GRAY);
-        g.setStroke(new BasicStroke(THIN, BasicStroke.CAP_BUTT, BasicStroke.JOIN_MITER, 1, HIDDEN, 0));
+        g.setStroke(stroke(THIN, HIDDEN, 0));
         paintSample(g, y, labels.get(labels.size() - 1));
     }
 

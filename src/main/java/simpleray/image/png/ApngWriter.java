@@ -48,7 +48,7 @@ public final class ApngWriter {
                 writer.frame(new PngChunks(in, frames.get(i).toString()).begin(), i == 0, frames.size());
             }
         }
-        new PngChunk("IEND", 1).finished().writeTo(out);
+        PngChunk.end().writeTo(out);
         out.flush();
     }
 
