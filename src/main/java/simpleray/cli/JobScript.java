@@ -21,18 +21,13 @@ final class JobScript {
     /** {@return the script} */
     static String of(JobPlan plan) {
         String words = plan.options().isEmpty() ? "" : ShellWords.posix(plan.options()) + ' ';
-        String job = "scene=" + quoted(SCENE_FOLDER + plan.scene()) + '\n'
+        String job = "scene=" + ShellWords.quoted(SCENE_FOLDER + plan.scene()) + '\n'
             + "still=" + (plan.frames() == null ? "yes" : "") + " frames=" + (plan.frames() == null ? "0-0" : plan.frames()) + '\n'
             + "bands=" + plan.bands() + " chunk=" + plan.chunk() + " digits=" + plan.digits() + " java=" + JobEstimate.JAVA + '\n'
-            + "film=" + (plan.film() == null ? "" : quoted(plan.film())) + '\n'
+            + "film=" + (plan.film() == null ? "" : ShellWords.quoted(plan.film())) + '\n'
             + "# options COMMAND SCENE ARG...: the program with the options that say which picture is made of the scene\n"
             + "options() {\n    what=$1\n    shift 2\n    program \"$what\" \"$scene\" " + words + "\"$@\"\n}\n";
         return resource().replace(PLACE, job);
-    }
-
-    /** {@return a word in quotes, whatever is in it} */
-    private static String quoted(String word) {
-        return '\'' + word.replace("'", "'\\''") + '\'';
     }
 
     private static String resource() {

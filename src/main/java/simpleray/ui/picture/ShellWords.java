@@ -20,8 +20,17 @@ public final class ShellWords {
      * @return the line
      */
     public static String posix(List<String> words) {
-        return words.stream().map(word -> PLAIN.matcher(word).matches() ? word : '\'' + word.replace("'", "'\\''") + '\'')
-            .collect(Collectors.joining(" "));
+        return words.stream().map(word -> PLAIN.matcher(word).matches() ? word : quoted(word)).collect(Collectors.joining(" "));
+    }
+
+    /**
+     * Quotes a word for the shells of Unix, whatever is in it.
+     *
+     * @param word the word
+     * @return the word in quotes
+     */
+    public static String quoted(String word) {
+        return '\'' + word.replace("'", "'\\''") + '\'';
     }
 
     /** {@return the line for the Command Prompt and PowerShell; a file name there has no quotes} */
