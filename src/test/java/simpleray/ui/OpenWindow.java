@@ -3,6 +3,7 @@ package simpleray.ui;
 import com.formdev.flatlaf.FlatLightLaf;
 import java.awt.Component;
 import java.awt.Container;
+import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.Window;
 import java.awt.image.BufferedImage;
@@ -138,6 +139,15 @@ public final class OpenWindow implements AutoCloseable {
 
     ViewerFrame viewer() {
         return viewer;
+    }
+
+    /** {@return the place on the screen of a pixel of the picture, at 100 %} */
+    public Point onScreen(Point pixel) {
+        return ask(() -> {
+            Point corner = picture().getLocationOnScreen();
+            Rectangle all = picture().place();
+            return new Point(corner.x + all.x + pixel.x, corner.y + all.y + pixel.y);
+        });
     }
 
     public SimpleRay picture() {

@@ -279,11 +279,7 @@ class RaysPaneTest {
     }
 
     private void move(OpenWindow window, Point pixel) {
-        Point place = OpenWindow.ask(() -> {
-            Point corner = window.picture().getLocationOnScreen();
-            Rectangle all = window.picture().place();
-            return new Point(corner.x + all.x + pixel.x, corner.y + all.y + pixel.y);
-        });
+        Point place = window.onScreen(pixel);
         robot.mouseMove(place.x, place.y);
     }
 

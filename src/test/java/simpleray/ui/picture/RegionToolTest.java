@@ -175,10 +175,6 @@ class RegionToolTest {
 
     private Point corner() {
         Screen.until("the picture has its place", () -> window.picture().isShowing() && !window.picture().place().isEmpty());
-        return OpenWindow.ask(() -> {
-            Point corner = window.picture().getLocationOnScreen();
-            corner.translate(window.picture().place().x, window.picture().place().y);
-            return corner;
-        });
+        return window.onScreen(new Point());
     }
 }
