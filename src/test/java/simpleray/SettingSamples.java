@@ -1,5 +1,6 @@
 package simpleray;
 
+import static java.util.Map.entry;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
@@ -11,9 +12,10 @@ import simpleray.scene.Setting;
 
 /** A value for each setting of the table, other than its default, so that tests can walk the table. */
 public final class SettingSamples {
-    private static final Map<String, String> VALUES = Map.of("resolution", "16x12", "depth", "3", "samples", "2", "cop", "3.5",
-        "window", "-1,1.25,-0.5,1", "camera", "3,2,5,0,0.5,0,40", "background", "0.1,0.2,0.4",
-        "frames", "24,12.5", "curve", "linear", "key", "1.5,camera,3,2,5,0,0.5,0,40");
+    private static final Map<String, String> VALUES = Map.ofEntries(entry("resolution", "16x12"), entry("depth", "3"),
+        entry("samples", "2"), entry("cop", "3.5"), entry("window", "-1,1.25,-0.5,1"), entry("camera", "3,2,5,0,0.5,0,40"),
+        entry("up", "0.5,2,-0.25"), entry("background", "0.1,0.2,0.4"),
+        entry("frames", "24,12.5"), entry("curve", "linear"), entry("key", "1.5,camera,3,2,5,0,0.5,0,40"));
 
     private SettingSamples() {
     }

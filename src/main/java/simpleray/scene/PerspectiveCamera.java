@@ -4,7 +4,7 @@ import simpleray.math.Point;
 import simpleray.math.Ray;
 import simpleray.math.Vector;
 
-/** A camera at any point with any direction. <em>Constant.</em> Up is +y, or -z if the view is along y. */
+/** A camera at any point with any direction. <em>Constant.</em> */
 public final class PerspectiveCamera implements Camera {
     private static final double HALF_TURN = 180;
     private static final double FAR = 1e100;
@@ -19,23 +19,32 @@ public final class PerspectiveCamera implements Camera {
     private final double halfHeight;
 
     /**
-     * Creates a camera. Pixels are square: the horizontal field of view follows from the vertical one.
+     * Creates a camera for which up is +y, or -z if the view is along y.
      *
      * @param pose its eye, look-at point and field of view
      * @param width the width in pixels, 1 or more
      * @param height the height in pixels, 1 or more
      */
     public PerspectiveCamera(Pose pose, int width, int height) {
+        this(pose, null, width, height);
+    }
+
+    /**
+     * Creates a camera. Pixels are square: the horizontal field of view follows from the vertical one.
+     *
+     * @param pose its eye, look-at point and field of view
+     * @param up what is up in the picture, of any length, not {@link Pose#isAlong along the view}; null for +y, or -z if the view is along y
+     * @param width the width in pixels, 1 or more
+     * @param height the height in pixels, 1 or more
+     */
+    public PerspectiveCamera(Pose pose, Vector up, int width, int height) {
         this.width = width;
         this.height = height;
         eye = new Point(pose.ex(), pose.ey(), pose.ez());
-        // halves, so that no difference overflows
-        forward = new Vector(pose.lx() / 2 - pose.ex() / 2, pose.ly() / 2 - pose.ey() / 2, pose.lz() / 2 - pose.ez() / 2);
-        forward.normalise();
-        boolean alongY = forward.x == 0 && forward.z == 0;
-        right = Vector.cross(forward, alongY ? new Vector(0, 0, -1) : new Vector(0, 1, 0));
-        right.normalise();
-        up = Vector.cross(right, forward);
+        ViewAxes axes = ViewAxes.of(pose, up);
+        forward = axes.forward();
+        right = axes.right();
+        this.up = axes.up();
         double distance = pose.distance();
         double scale = distance > 1 / FAR && distance < FAR ? distance : 1;
         forward.scale(scale);
@@ -77,6 +86,16 @@ public final class PerspectiveCamera implements Camera {
                 return FOV;
             }
             return ex == lx && ey == ly && ez == lz ? LOOK_AT : null;
+        }
+
+        /**
+         * Tests whether a vector is along the view, so that it cannot be up.
+         *
+         * @param vector the vector; null for the default, which never is
+         * @return whether it is, or points the other way, up to rounding
+         */
+        public boolean isAlong(Vector vector) {
+            return vector != null && ViewAxes.isAlong(this, vector);
         }
 
         /** {@return the distance from the eye to the look-at point} */

@@ -10,8 +10,10 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import simpleray.math.Colour;
+import simpleray.math.Vector;
 import simpleray.text.SceneReader;
 import simpleray.text.SceneWriter;
+import simpleray.text.SourceLocation;
 import simpleray.text.SourceSpan;
 
 /**
@@ -35,6 +37,8 @@ public final class SceneSettings {
     public Double cop;
     /** A {@link PerspectiveCamera}, instead of these two. */
     public PerspectiveCamera.Pose camera;
+    /** What is up in its picture, of any length above 0, not along the view; not to be changed once it is set. */
+    public Vector up;
     /** The size of the picture. */
     public Resolution resolution;
     /** The most reflections of a primary ray, 0 to {@link #MAX_DEPTH}. */
@@ -89,8 +93,8 @@ public final class SceneSettings {
     }
 
     /**
-     * Overrides these settings by others. A camera and a centre of projection or window exclude each other, and any of them takes the place of
-     * the camera's keys.
+     * Overrides these settings by others. A camera and a centre of projection or window exclude each other, and any of them, but not up,
+     * takes the place of the camera's keys.
      *
      * @param other the settings that win
      * @return new settings
@@ -102,7 +106,7 @@ public final class SceneSettings {
                 setting.copy(setting.isSet(other) ? other : this, both);
             }
         }
-        if (keys != null && both.keys == keys && other.hasCamera()) {
+        if (keys != null && both.keys == keys && Setting.ALL.stream().anyMatch(s -> s.isOfCamera() && s != Setting.UP && s.isSet(other))) {
             both.keys = keys.stream().filter(key -> key.thing().kind() != Key.Kind.CAMERA).toList();
         }
         return both;
@@ -121,6 +125,11 @@ public final class SceneSettings {
         }
     }
 
+    /** {@return whether the camera has keys} */
+    private boolean hasCameraKeys() {
+        return keys != null && keys.stream().anyMatch(key -> key.thing().kind() == Key.Kind.CAMERA);
+    }
+
     /** {@return whether a setting of the camera is set} */
     public boolean hasCamera() {
         return Setting.ALL.stream().anyMatch(setting -> setting.isOfCamera() && setting.isSet(this));
@@ -135,7 +144,13 @@ public final class SceneSettings {
     public Camera newCamera() {
         Resolution size = Setting.RESOLUTION.in(this);
         if (camera != null) {
-            return new PerspectiveCamera(camera, size.width, size.height);
+            if (camera.isAlong(up)) {
+                throw new IllegalArgumentException("up must not be along the view");
+            }
+            return new PerspectiveCamera(camera, up, size.width, size.height);
+        }
+        if (up != null && !hasCameraKeys()) {
+            throw new IllegalArgumentException("up needs a camera");
         }
         SimpleCamera simple = new SimpleCamera(size.width, size.height);
         if (cop != null) {
@@ -189,12 +204,14 @@ public final class SceneSettings {
     /** Reads keywords and their values up to the first other word. Objects and lights of the scene are null if there is none. */
     void read(SceneReader is, List<Object> objects, List<Light> lights) throws IOException {
         last = SourceSpan.last(is);
+        SourceLocation upAt = null;
         for (String word = is.takeKeyword(Setting.keywords()); word != null; word = is.takeKeyword(Setting.keywords())) {
             Setting<?> setting = Setting.of(word);
             if (!is.isFirstOnLine()) {
                 is.reject("keyword " + word + " on a line of its own");
             }
             SourceSpan keyword = SourceSpan.last(is);
+            upAt = setting == Setting.UP ? is.location() : upAt;
             if (setting != Setting.KEY && places.containsKey(word)) {
                 is.reject("keyword " + word + " only once");
             }
@@ -207,9 +224,15 @@ public final class SceneSettings {
             }
             is.enter(word + "'s");
             setting.read(is, this);
+            if (setting.isOfCamera() && camera != null && camera.isAlong(up)) {
+                is.rejectGroup(setting == Setting.UP ? "direction that is not along the view" : "view that is not along up");
+            }
             is.leave();
             last = SourceSpan.last(is);
             places.put(word, new SourceSpan(keyword.start(), last.end()));
+        }
+        if (up != null && objects != null && camera == null && !hasCameraKeys()) {
+            is.rejectAt(upAt, "a camera, which up needs", "up alone");
         }
         if (keys != null && objects != null) {
             KeyReader.of(is).checkFrames(is, frames);

@@ -8,6 +8,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import simpleray.math.Colour;
+import simpleray.math.Vector;
 import simpleray.scene.PerspectiveCamera.Pose;
 import simpleray.scene.SceneSettings.Frames;
 import simpleray.scene.SceneSettings.Resolution;
@@ -174,6 +175,21 @@ public abstract class Setting<T> {
         }
     };
 
+    /** What is up in the picture of a {@link PerspectiveCamera}. */
+    public static final Setting<Vector> UP = new Setting<>("up") {
+        @Override Vector get(SceneSettings settings) { return settings.up; }
+        @Override public void set(SceneSettings settings, Vector value) { settings.up = value; }
+        @Override List<?> words(Vector value) { return List.of(value.x, value.y, value.z); }
+        @Override Set<Class<? extends Camera>> cameras() { return Set.of(PerspectiveCamera.class); }
+
+        @Override
+        Vector read(SceneReader is) throws IOException {
+            Vector up = new Vector();
+            Directions.read(is, "direction", up);
+            return up;
+        }
+    };
+
     /** The colour of a ray that hits nothing. */
     public static final Setting<Colour> BACKGROUND = new Setting<>("background", "--background", "R,G,B",
         "The colour where nothing is hit, 0 to 1 each (default: %s).", new Colour()) {
@@ -237,9 +253,9 @@ public abstract class Setting<T> {
     };
 
     /** All settings, in the order of the command line's help. */
-    public static final List<Setting<?>> ALL = List.of(RESOLUTION, DEPTH, SAMPLES, COP, WINDOW, CAMERA, BACKGROUND, FRAMES, CURVE, KEY);
+    public static final List<Setting<?>> ALL = List.of(RESOLUTION, DEPTH, SAMPLES, COP, WINDOW, CAMERA, UP, BACKGROUND, FRAMES, CURVE, KEY);
     /** All settings, in the order in which they are written into a scene file. */
-    static final List<Setting<?>> LINES = List.of(BACKGROUND, WINDOW, COP, CAMERA, RESOLUTION, DEPTH, SAMPLES, FRAMES, CURVE, KEY);
+    static final List<Setting<?>> LINES = List.of(BACKGROUND, WINDOW, COP, CAMERA, UP, RESOLUTION, DEPTH, SAMPLES, FRAMES, CURVE, KEY);
 
     private static final Map<String, Setting<?>> BY_KEYWORD = byKeyword();
 

@@ -50,6 +50,36 @@ class PerspectiveCameraTest {
         assertThat(corner.y / -corner.z).isEqualTo(up.y / 2, CLOSE);
     }
 
+    /** Looking along -z with +x up: what was up in the picture is at its left. */
+    @Test
+    void upTurnsThePictureRoundItsMiddle() {
+        PerspectiveCamera camera = new PerspectiveCamera(AHEAD, new Vector(1e200, 0, 0), 100, 50);
+
+        assertDirection(camera.through(50, 25), 0, 0, -1);
+        assertDirection(camera.through(50, 0), StrictMath.sqrt(0.5), 0, -StrictMath.sqrt(0.5));
+        assertDirection(camera.through(100, 25), 0, -2 / StrictMath.sqrt(5), -1 / StrictMath.sqrt(5));
+    }
+
+    @Test
+    void upNeedNotBeAtARightAngleToTheView() {
+        Pose down = new Pose(0, 3, 4, 0, 0, 0, 40);
+
+        assertSame(new PerspectiveCamera(down, new Vector(0, 1, 0), 30, 20), new PerspectiveCamera(down, 30, 20));
+        assertSame(new PerspectiveCamera(down, new Vector(0, 0, -2), 30, 20), new PerspectiveCamera(down, 30, 20));
+    }
+
+    @Test
+    void straightDownUpMayBeAnywhereAcross() {
+        PerspectiveCamera camera = new PerspectiveCamera(new Pose(0, 5, 0, 0, 0, 0, 90), new Vector(1, 0, 0), 2, 2);
+
+        assertDirection(camera.through(1, 0), StrictMath.sqrt(0.5), -StrictMath.sqrt(0.5), 0);
+    }
+
+    private static void assertSame(PerspectiveCamera camera, PerspectiveCamera expected) {
+        Vector d = expected.through(3.25, 4.5).direction;
+        assertDirection(camera.through(3.25, 4.5), d.x, d.y, d.z);
+    }
+
     @Test
     void theCentreRayGoesToTheLookAtPoint() {
         assertDirection(new PerspectiveCamera(AHEAD, 100, 100).through(50, 50), 0, 0, -1);

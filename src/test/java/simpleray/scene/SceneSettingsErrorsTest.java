@@ -28,6 +28,7 @@ class SceneSettingsErrorsTest {
         "camera 0 0 0 0 0 1 180 | 20 | expected camera's field of view above 0 and below 180 degrees, found '180'",
         "camera 0 0 0 0 0 1 -40 | 20 | expected camera's field of view above 0 and below 180 degrees, found '-40'",
         "camera 0 0 0 0 0 1 NaN | 20 | expected camera's field of view, found 'NaN' (numbers must be finite)",
+        "up 0 1 0 | 1 | expected a camera, which up needs, found up alone",
         "camera 0 x 0 0 0 1 40 | 10 | expected camera's eye y, found 'x'"})
     void aValueThatMakesNoSenseIsNamed(String line, int column, String message) {
         assertRejected(line, report(2, column, message, line));
@@ -53,7 +54,8 @@ class SceneSettingsErrorsTest {
     @CsvSource({"background, red", "background 1, green", "background 1 1, blue", "window, xmin", "window 1, xmax", "window 1 2, ymin",
         "window 1 2 3, ymax", "cop, z", "camera, eye x", "camera 1, eye y", "camera 1 1, eye z", "camera 1 1 1, look-at x",
         "camera 1 1 1 1, look-at y",
-        "camera 1 1 1 1 1, look-at z", "camera 1 1 1 1 1 2, field of view", "resolution, width from 1 to 65535",
+        "camera 1 1 1 1 1, look-at z", "camera 1 1 1 1 1 2, field of view", "up, direction x",
+        "up 0, direction y", "up 0 1, direction z", "resolution, width from 1 to 65535",
         "resolution 5, height from 1 to 65535", "depth, number from 0 to 1000", "samples, number from 1 to 16"})
     void aMissingValueIsNamed(String line, String field) {
         String keyword = line.split(" ")[0];
@@ -76,6 +78,35 @@ class SceneSettingsErrorsTest {
 
         assertRejected(camera + '\n' + line, report(3, 1, EITHER + '\'' + line.split(" ")[0] + '\'', line));
         assertRejected(line + '\n' + camera, report(3, 1, EITHER + "'camera'", camera));
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', quoteCharacter = '"', value = {"up 0 -0 0 | 4 | expected up's direction other than zero, found '0 -0 0'",
+        "up 0 1 NaN | 8 | expected up's direction z, found 'NaN' (numbers must be finite)"})
+    void aDirectionThatIsNoneIsNamed(String up, int column, String message) {
+        assertRejected("camera 0 0 0 0 0 1 40\n" + up, report(3, column, message, up));
+    }
+
+    @Test
+    void upComesOnlyOnce() {
+        assertRejected("up 0 1 0\ncamera 0 0 0 0 0 1 40\nup 0 1 0",
+            report(4, 1, "expected keyword up only once, found 'up'", "up 0 1 0"));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0 0 1", "0 0 -1", "0 0 1e300", "1e-300 0 1"})
+    void upIsNotAlongTheView(String up) {
+        assertRejected("camera 1 2 3 1 2 -5 40\nup " + up,
+            report(3, 4, "expected up's direction that is not along the view, found '" + up + "'", "up " + up));
+        assertRejected("up " + up + "\ncamera 1 2 3 1 2 -5 40",
+            report(3, 8, "expected camera's view that is not along up, found '1 2 3 1 2 -5 40'", "camera 1 2 3 1 2 -5 40"));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"cop 2", "window -1 1 -1 1"})
+    void upExcludesCopAndWindow(String line) {
+        assertRejected(line + "\nup 0 1 0", report(3, 1, EITHER + "'up'", "up 0 1 0") + '\n'
+            + report(3, 1, "expected a camera, which up needs, found up alone", "up 0 1 0"));
     }
 
     @Test

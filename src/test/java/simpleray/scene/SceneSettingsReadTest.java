@@ -13,6 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import simpleray.math.Colour;
+import simpleray.math.Vector;
 import simpleray.text.Diagnostic;
 import simpleray.text.SceneReader;
 
@@ -41,6 +42,8 @@ class SceneSettingsReadTest {
         SceneSettings camera = new SceneSettings();
         camera.camera = POSE;
         assertReads("camera 3 2 5  0 -1 0.5  40", camera);
+        camera.up = new Vector(0.5, -2, 0);
+        assertReads("up 0.5 -2 0\ncamera 3 2 5  0 -1 0.5  40", camera);
         SceneSettings resolution = new SceneSettings();
         resolution.resolution = new SceneSettings.Resolution(640, 480);
         assertReads("resolution 640 480", resolution);
