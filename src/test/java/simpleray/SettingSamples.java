@@ -14,7 +14,7 @@ import simpleray.scene.Setting;
 public final class SettingSamples {
     private static final Map<String, String> VALUES = Map.ofEntries(entry("resolution", "16x12"), entry("depth", "3"),
         entry("samples", "2"), entry("cop", "3.5"), entry("window", "-1,1.25,-0.5,1"), entry("camera", "3,2,5,0,0.5,0,40"),
-        entry("up", "0.5,2,-0.25"), entry("background", "0.1,0.2,0.4"),
+        entry("parallel", "3,2,5,0,0.5,0,4"), entry("up", "0.5,2,-0.25"), entry("background", "0.1,0.2,0.4"),
         entry("frames", "24,12.5"), entry("curve", "linear"), entry("key", "1.5,camera,3,2,5,0,0.5,0,40"));
 
     private SettingSamples() {

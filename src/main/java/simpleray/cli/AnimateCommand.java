@@ -160,6 +160,7 @@ final class AnimateCommand implements Callable<Integer> {
     private void plan() throws CommandException {
         try {
             film = file.scene().film();
+            film.check(request.settings());
             texts = new FrameTexts(file);
             int count = film.frames();
             if (turntable != null) {

@@ -39,6 +39,12 @@ final class PictureOptions extends OptionGroup {
             if (asked.camera != null && (asked.cop != null || asked.window != null)) {
                 throw CommandException.usage("--camera takes the place of --cop and --window: give one or the other");
             }
+            if (asked.parallel != null && (asked.camera != null || asked.cop != null || asked.window != null)) {
+                throw CommandException.usage("--parallel takes the place of --camera, --cop and --window: give one or the other");
+            }
+            if (asked.up != null && (asked.cop != null || asked.window != null)) {
+                throw CommandException.usage("--up goes with --camera or --parallel, not with --cop and --window");
+            }
             RenderRequest request = new RenderRequest(asked, stage, adaptive, threads);
             request.check();                                  // what is out of its range is known before the scene is read
             return request;

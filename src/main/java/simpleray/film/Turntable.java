@@ -3,7 +3,6 @@ package simpleray.film;
 import simpleray.render.RenderRequest;
 import simpleray.scene.FreeView;
 import simpleray.scene.Orbit;
-import simpleray.scene.PerspectiveCamera.Pose;
 import simpleray.scene.SceneSettings;
 
 /** A camera that goes once round what it looks at, at its own height, to its right: a film of any scene. <em>Constant.</em> */
@@ -13,7 +12,7 @@ public final class Turntable {
     private static final double FULL_TURN = 360;
 
     private final SceneSettings asked;
-    private final Pose first;
+    private final SceneSettings first;
     private final int frames;
 
     /**
@@ -26,7 +25,7 @@ public final class Turntable {
      */
     public Turntable(SceneSettings scene, RenderRequest request, int frames) {
         asked = request.settings();
-        first = FreeView.of(scene.under(asked));
+        first = FreeView.alone(scene.under(asked));
         this.frames = frames;
     }
 
@@ -34,10 +33,10 @@ public final class Turntable {
      * Returns the camera of a frame.
      *
      * @param frame its number, from 0
-     * @return the camera: at frame 0 the scene's own, or the free camera of the same view
+     * @return settings with the camera alone: at frame 0 the scene's own, or the free camera of the same view
      */
-    public Pose camera(int frame) {
-        return frame == 0 ? first : Orbit.of(first).turned(FULL_TURN * frame / frames, 0).pose();
+    public SceneSettings camera(int frame) {
+        return frame == 0 ? first : Orbit.of(first).turned(FULL_TURN * frame / frames, 0).settings();
     }
 
     /**
@@ -47,10 +46,8 @@ public final class Turntable {
      * @return the settings, with that frame's camera
      */
     public SceneSettings settings(int frame) {
-        SceneSettings camera = new SceneSettings();
-        camera.camera = camera(frame);
         SceneSettings all = new SceneSettings().under(asked);
-        all.setCamera(camera);
+        all.setCamera(camera(frame));
         return all;
     }
 }

@@ -12,6 +12,7 @@ import simpleray.scene.DirectionalLight;
 import simpleray.scene.Light;
 import simpleray.scene.Mesh;
 import simpleray.scene.Object;
+import simpleray.scene.ParallelCamera;
 import simpleray.scene.PerspectiveCamera;
 import simpleray.scene.Plane;
 import simpleray.scene.PointLight;
@@ -65,16 +66,19 @@ final class PovWriter {
         if (camera instanceof SimpleCamera simple) {
             SceneSettings.Window w = simple.window();
             Vector direction = new Vector((w.xmin() + w.xmax()) / 2, (w.ymin() + w.ymax()) / 2, -camera.eye().z);
-            camera(os, camera.eye(), direction, new Vector(w.xmax() - w.xmin(), 0, 0), new Vector(0, w.ymax() - w.ymin(), 0));
+            camera(os, "perspective", camera.eye(), direction, new Vector(w.xmax() - w.xmin(), 0, 0),
+                new Vector(0, w.ymax() - w.ymin(), 0));
         } else if (camera instanceof PerspectiveCamera perspective) {
-            camera(os, camera.eye(), perspective.forward(), perspective.right(), perspective.up());
+            camera(os, "perspective", camera.eye(), perspective.forward(), perspective.right(), perspective.up());
+        } else if (camera instanceof ParallelCamera parallel) {
+            camera(os, "orthographic", parallel.middle(), parallel.forward(), parallel.right(), parallel.up());
         } else {
             throw unknown("", camera);
         }
     }
 
-    private static void camera(SceneWriter os, Point eye, Vector direction, Vector right, Vector up) throws IOException {
-        point(os, "camera { perspective location ", eye);
+    private static void camera(SceneWriter os, String kind, Point eye, Vector direction, Vector right, Vector up) throws IOException {
+        point(os, "camera { " + kind + " location ", eye);
         vector(os, " direction ", direction);
         vector(os, " right ", right);
         vector(os, " up ", up);

@@ -62,7 +62,7 @@ public final class PreparedScene {
      * {@return a scene compiled for an eye} What the scene before has not left ready is compiled.
      *
      * @param asked the scene
-     * @param eye the eye
+     * @param eye the eye; null if the primary rays are parallel
      * @param maker compiles it
      */
     public synchronized CompiledScene compiled(Scene asked, Point eye, Supplier<CompiledScene> maker) {

@@ -101,7 +101,9 @@ public record RenderRequest(SceneSettings settings, Stage stage, boolean adaptiv
      * @throws IllegalArgumentException if something is out of its range
      */
     public void check() {
-        settings.newCamera();
+        if (settings.up == null || settings.isFree()) {       // else the scene has what up belongs to
+            settings.newCamera();
+        }
         renderSettings(settings, region);
     }
 

@@ -150,7 +150,7 @@ public final class SceneLint {
             warn(file.lineOfLight(i), "light " + (i + 1) + (frames == 1 && scene.getLight(i).intensity.isBlack() ? " is black"
                 : " reaches nothing of what " + rays() + " saw"));
         }
-        Point eye = camera.eye();
+        Point eye = middle().origin;
         for (int i = 0; i < scene.getNumberObjects(); i++) {
             if (isAround(scene.getObject(i), eye)) {
                 warn(file.lineOfObject(i), "object " + (i + 1) + " is around the eye, which sees it from inside");
@@ -170,6 +170,11 @@ public final class SceneLint {
         }
         problems.sort(Comparator.comparingInt(Diagnostic::line));
         return problems;
+    }
+
+    /** {@return the ray through the middle of the picture} */
+    private Ray middle() {
+        return camera.through(camera.width() / 2.0, camera.height() / 2.0);
     }
 
     private void warnOfUnseen() {
@@ -252,7 +257,8 @@ public final class SceneLint {
                 hidden[face.normal().dot(one.normal()) > 0 ? 0 : 1] = true;
             }
         }
-        int eye = one.normal().dot(camera.eye()) > one.offset() ? 1 : 0;
+        Point from = camera.eye();
+        int eye = (from != null ? one.normal().dot(from) > one.offset() : one.normal().dot(middle().direction) < 0) ? 1 : 0;
         return one.object() == other.object() || !hidden[eye] || !hidden[1 - eye] && !isEndless(one) && !isEndless(other)
             && bending().stream().anyMatch(box -> box == null || reaches(box, one, eye == 0));
     }

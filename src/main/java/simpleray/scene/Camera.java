@@ -11,7 +11,7 @@ public interface Camera {
     /** {@return the height of the picture in pixels} */
     int height();
 
-    /** {@return a new point, the origin of all its rays} */
+    /** {@return a new point, the origin of all its rays; null if they are parallel, and each has its own} */
     Point eye();
 
     /**

@@ -114,7 +114,8 @@ public final class Film {
             switch (track.thing.kind()) {
                 case CAMERA -> {
                     PerspectiveCamera.Pose pose = new PerspectiveCamera.Pose(v[0], v[1], v[2], v[3], v[4], v[5], v[FOV]);
-                    wanted = !areFinite(v, FOV + 1) ? Lengths.FINITE : pose.fault() == null ? null : "a " + pose.fault();
+                    wanted = !areFinite(v, FOV + 1) ? Lengths.FINITE : pose.fault() != null ? "a " + pose.fault()
+                        : pose.isAlong(scene.settings.up) ? "a view that is not along up" : null;
                     still.settings.camera = pose;
                 }
                 case COLOUR -> {
@@ -185,6 +186,20 @@ public final class Film {
         };
     }
 
+    /**
+     * Checks that each frame has a picture if other settings win over the scene's own: up of these may be along the view of a frame.
+     *
+     * @param asked the settings that win
+     * @throws IllegalArgumentException if one has none; the message names it
+     */
+    public void check(SceneSettings asked) {
+        if (asked.up != null) {
+            for (Fault fault : new Film(scene.with(scene.settings.under(asked))).faults()) {
+                throw new IllegalArgumentException("expected " + fault.wanted + ", found " + fault.found);
+            }
+        }
+    }
+
     /** Finds the first frame at which each thing has values that no scene may have. Frames between keys that bounds clear are not computed. */
     List<Fault> faults() {
         List<Fault> faults = new ArrayList<>();
@@ -230,7 +245,7 @@ public final class Film {
         }
         return switch (track.thing.kind()) {
             case CAMERA -> low[FOV] > 0 && high[FOV] < HALF_TURN
-                && (areApart(low, high, 0) || areApart(low, high, 1) || areApart(low, high, 2));
+                && (areApart(low, high, 0) || areApart(low, high, 1) || areApart(low, high, 2)) && isApartFromUp(low, high);
             case COLOUR -> low[0] >= 0 && low[1] >= 0 && low[2] >= 0;
             default -> hasRoom(track.thing, Math.max(largest(low), largest(high)));
         };
@@ -239,6 +254,27 @@ public final class Film {
     private static boolean areApart(double[] low, double[] high, int c) {
         double gap = Math.max(low[c] - high[c + 3], low[c + 3] - high[c]);
         return gap > 1e-9 * Math.max(largest(low), largest(high));
+    }
+
+    /** {@return whether no view is along up: bounds of a component of their cross product exclude 0} */
+    private boolean isApartFromUp(double[] low, double[] high) {
+        if (scene.settings.up == null) {
+            return true;
+        }
+        Vector up = scene.settings.up.normalised();
+        double[] u = {up.x, up.y, up.z};
+        double least = 1e-9 * Math.max(largest(low), largest(high));
+        for (int c = 0; c < 3; c++) {
+            int i = (c + 1) % 3;
+            int j = (c + 2) % 3;
+            double[] one = {(low[i + 3] - high[i]) * u[j], (high[i + 3] - low[i]) * u[j]};
+            double[] other = {(low[j + 3] - high[j]) * u[i], (high[j + 3] - low[j]) * u[i]};
+            if (Math.min(one[0], one[1]) - Math.max(other[0], other[1]) > least
+                || Math.min(other[0], other[1]) - Math.max(one[0], one[1]) > least) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /** {@return whether an object or light can be moved by the largest offset, and beyond, to all corners of a cube} */

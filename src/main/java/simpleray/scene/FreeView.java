@@ -13,7 +13,23 @@ public final class FreeView {
     }
 
     /**
-     * Returns the free camera for settings.
+     * Returns the free camera for settings alone: their own, with what is up in its picture, or that of the same view.
+     *
+     * @param settings the settings, as {@link SceneSettings#newCamera} takes them
+     * @return new settings with a camera or a parallel one, and nothing else but up
+     */
+    public static SceneSettings alone(SceneSettings settings) {
+        SceneSettings free = new SceneSettings();
+        if (settings.isFree()) {
+            free.setCamera(settings);
+        } else {
+            free.camera = of(settings);
+        }
+        return free;
+    }
+
+    /**
+     * Returns the perspective camera for settings, which must not have a parallel one.
      *
      * <p>The simple camera stands at (0, 0, cop) and sees a window on the plane z = 0. If the window's middle is (0, 0) and pixels are
      * square, the free camera at (0, 0, cop) that looks at (0, 0, 0) sees the same: half the window's height over cop is the tangent of
@@ -62,7 +78,7 @@ public final class FreeView {
      * @return false if its picture is only similar
      */
     public static boolean isExact(SceneSettings settings) {
-        if (settings.camera != null) {
+        if (settings.isFree()) {
             return true;
         }
         SimpleCamera camera = (SimpleCamera) settings.newCamera();

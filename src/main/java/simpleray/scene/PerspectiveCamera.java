@@ -40,8 +40,8 @@ public final class PerspectiveCamera implements Camera {
     public PerspectiveCamera(Pose pose, Vector up, int width, int height) {
         this.width = width;
         this.height = height;
-        eye = new Point(pose.ex(), pose.ey(), pose.ez());
-        ViewAxes axes = ViewAxes.of(pose, up);
+        eye = pose.eye();
+        ViewAxes axes = ViewAxes.of(eye, pose.lookAt(), up);
         forward = axes.forward();
         right = axes.right();
         this.up = axes.up();
@@ -95,7 +95,15 @@ public final class PerspectiveCamera implements Camera {
          * @return whether it is, or points the other way, up to rounding
          */
         public boolean isAlong(Vector vector) {
-            return vector != null && ViewAxes.isAlong(this, vector);
+            return vector != null && ViewAxes.isAlong(eye(), lookAt(), vector);
+        }
+
+        Point eye() {
+            return new Point(ex, ey, ez);
+        }
+
+        Point lookAt() {
+            return new Point(lx, ly, lz);
         }
 
         /** {@return the distance from the eye to the look-at point} */

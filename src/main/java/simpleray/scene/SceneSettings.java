@@ -29,6 +29,8 @@ public final class SceneSettings {
     /** The most samples of a pixel, along each side. */
     public static final int MAX_SAMPLES = 16;
 
+    private static final String EITHER = "either camera, or parallel, or window and cop (up goes with the first two)";
+
     /** The colour of a ray that hits nothing. */
     public Colour background;
     /** The viewport window of {@link SimpleCamera}. */
@@ -37,7 +39,9 @@ public final class SceneSettings {
     public Double cop;
     /** A {@link PerspectiveCamera}, instead of these two. */
     public PerspectiveCamera.Pose camera;
-    /** What is up in its picture, of any length above 0, not along the view; not to be changed once it is set. */
+    /** A {@link ParallelCamera}, instead of these. */
+    public ParallelCamera.View parallel;
+    /** What is up in the picture of these two, of any length above 0, not along the view; not to be changed once it is set. */
     public Vector up;
     /** The size of the picture. */
     public Resolution resolution;
@@ -93,8 +97,8 @@ public final class SceneSettings {
     }
 
     /**
-     * Overrides these settings by others. A camera and a centre of projection or window exclude each other, and any of them, but not up,
-     * takes the place of the camera's keys.
+     * Overrides these settings by others. A camera, a parallel one, and a centre of projection or window exclude each other, and any of them,
+     * but not up, takes the place of the camera's keys.
      *
      * @param other the settings that win
      * @return new settings
@@ -125,6 +129,15 @@ public final class SceneSettings {
         }
     }
 
+    /** {@return whether the camera may stand anywhere: a perspective or parallel one} */
+    public boolean isFree() {
+        return camera != null || parallel != null;
+    }
+
+    private boolean isUpAlongView() {
+        return camera != null && camera.isAlong(up) || parallel != null && parallel.isAlong(up);
+    }
+
     /** {@return whether the camera has keys} */
     private boolean hasCameraKeys() {
         return keys != null && keys.stream().anyMatch(key -> key.thing().kind() == Key.Kind.CAMERA);
@@ -142,15 +155,15 @@ public final class SceneSettings {
      * @throws IllegalArgumentException if one of its values is out of range
      */
     public Camera newCamera() {
+        if (isUpAlongView() || up != null && !isFree() && !hasCameraKeys()) {
+            throw new IllegalArgumentException(isFree() ? "up must not be along the view" : "up needs a camera or parallel");
+        }
         Resolution size = Setting.RESOLUTION.in(this);
         if (camera != null) {
-            if (camera.isAlong(up)) {
-                throw new IllegalArgumentException("up must not be along the view");
-            }
             return new PerspectiveCamera(camera, up, size.width, size.height);
         }
-        if (up != null && !hasCameraKeys()) {
-            throw new IllegalArgumentException("up needs a camera");
+        if (parallel != null) {
+            return new ParallelCamera(parallel, up, size.width, size.height);
         }
         SimpleCamera simple = new SimpleCamera(size.width, size.height);
         if (cop != null) {
@@ -216,7 +229,7 @@ public final class SceneSettings {
                 is.reject("keyword " + word + " only once");
             }
             if (isExcluded(setting) || keys != null && KeyReader.of(is).hasCamera() && setting.excludes(Setting.CAMERA)) {
-                is.reject("either a camera, or a window and a cop");
+                is.reject(EITHER);
             }
             if (setting == Setting.KEY) {
                 KeyReader.of(is).begin(objects, lights, isExcluded(Setting.CAMERA));
@@ -224,15 +237,15 @@ public final class SceneSettings {
             }
             is.enter(word + "'s");
             setting.read(is, this);
-            if (setting.isOfCamera() && camera != null && camera.isAlong(up)) {
+            if (setting.isOfCamera() && isUpAlongView()) {
                 is.rejectGroup(setting == Setting.UP ? "direction that is not along the view" : "view that is not along up");
             }
             is.leave();
             last = SourceSpan.last(is);
             places.put(word, new SourceSpan(keyword.start(), last.end()));
         }
-        if (up != null && objects != null && camera == null && !hasCameraKeys()) {
-            is.rejectAt(upAt, "a camera, which up needs", "up alone");
+        if (up != null && objects != null && !isFree() && !hasCameraKeys()) {
+            is.rejectAt(upAt, "a camera or parallel, which up needs", "up alone");
         }
         if (keys != null && objects != null) {
             KeyReader.of(is).checkFrames(is, frames);

@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Set;
 import simpleray.math.Colour;
 import simpleray.math.Vector;
+import simpleray.scene.ParallelCamera.View;
 import simpleray.scene.PerspectiveCamera.Pose;
 import simpleray.scene.SceneSettings.Frames;
 import simpleray.scene.SceneSettings.Resolution;
@@ -175,18 +176,60 @@ public abstract class Setting<T> {
         }
     };
 
-    /** What is up in the picture of a {@link PerspectiveCamera}. */
-    public static final Setting<Vector> UP = new Setting<>("up") {
+    /** A {@link ParallelCamera}, instead of these. */
+    public static final Setting<View> PARALLEL = new Setting<>("parallel", "--parallel", "EX,EY,EZ,LX,LY,LZ,H",
+        "Instead of these: parallel rays from an eye towards the point it looks at, H scene units from bottom to top.", null) {
+        @Override View get(SceneSettings settings) { return settings.parallel; }
+        @Override public void set(SceneSettings settings, View value) { settings.parallel = value; }
+        @Override List<?> words(View v) { return List.of(v.ex(), v.ey(), v.ez(), v.lx(), v.ly(), v.lz(), v.height()); }
+        @Override Set<Class<? extends Camera>> cameras() { return Set.of(ParallelCamera.class); }
+
+        @Override
+        View read(SceneReader is) throws IOException {
+            is.group();
+            View view = new View(is.readDouble("eye x"), is.readDouble("eye y"), is.readDouble("eye z"),
+                is.readDouble("look-at x"), is.readDouble("look-at y"), is.readDouble("look-at z"), is.readDouble("height"));
+            if (View.HEIGHT.equals(view.fault()) && !Double.isNaN(view.height())) {
+                is.reject(View.HEIGHT);
+            } else if (Pose.LOOK_AT.equals(view.fault())) {
+                is.rejectGroup(Pose.LOOK_AT);
+            }
+            return view;
+        }
+
+        @Override
+        public View parse(String value) {
+            double[] n = numbers(value, 7, "seven numbers such as 5,4,5,0,0,0,6");
+            View view = new View(n[0], n[1], n[2], n[3], n[4], n[5], n[6]);
+            if (view.fault() != null) {
+                throw expected("a " + view.fault(), value);
+            }
+            return view;
+        }
+    };
+
+    /** What is up in the picture of a {@link PerspectiveCamera} or {@link ParallelCamera}. */
+    public static final Setting<Vector> UP = new Setting<>("up", "--up", "X,Y,Z",
+        "With camera or parallel: the direction that is up in the picture (default: 0,1,0; if the view is along y, 0,0,-1).", null) {
         @Override Vector get(SceneSettings settings) { return settings.up; }
         @Override public void set(SceneSettings settings, Vector value) { settings.up = value; }
         @Override List<?> words(Vector value) { return List.of(value.x, value.y, value.z); }
-        @Override Set<Class<? extends Camera>> cameras() { return Set.of(PerspectiveCamera.class); }
+        @Override Set<Class<? extends Camera>> cameras() { return Set.of(PerspectiveCamera.class, ParallelCamera.class); }
 
         @Override
         Vector read(SceneReader is) throws IOException {
             Vector up = new Vector();
             Directions.read(is, "direction", up);
             return up;
+        }
+
+        @Override
+        public Vector parse(String value) {
+            double[] n = numbers(value, 3, "three numbers such as 0,0,1");
+            if (n[0] == 0 && n[1] == 0 && n[2] == 0) {
+                throw expected("a direction other than zero", value);
+            }
+            return new Vector(n[0], n[1], n[2]);
         }
     };
 
@@ -253,9 +296,11 @@ public abstract class Setting<T> {
     };
 
     /** All settings, in the order of the command line's help. */
-    public static final List<Setting<?>> ALL = List.of(RESOLUTION, DEPTH, SAMPLES, COP, WINDOW, CAMERA, UP, BACKGROUND, FRAMES, CURVE, KEY);
+    public static final List<Setting<?>> ALL = List.of(RESOLUTION, DEPTH, SAMPLES, COP, WINDOW, CAMERA, PARALLEL, UP, BACKGROUND, FRAMES,
+        CURVE, KEY);
     /** All settings, in the order in which they are written into a scene file. */
-    static final List<Setting<?>> LINES = List.of(BACKGROUND, WINDOW, COP, CAMERA, UP, RESOLUTION, DEPTH, SAMPLES, FRAMES, CURVE, KEY);
+    static final List<Setting<?>> LINES = List.of(BACKGROUND, WINDOW, COP, CAMERA, PARALLEL, UP, RESOLUTION, DEPTH, SAMPLES, FRAMES,
+        CURVE, KEY);
 
     private static final Map<String, Setting<?>> BY_KEYWORD = byKeyword();
 

@@ -1,7 +1,7 @@
 package simpleray.scene;
 
+import simpleray.math.Point;
 import simpleray.math.Vector;
-import simpleray.scene.PerspectiveCamera.Pose;
 
 /**
  * The directions of a picture in space, each of unit length and at right angles to the others. <em>Constant.</em>
@@ -17,20 +17,21 @@ record ViewAxes(Vector forward, Vector right, Vector up) {
     /**
      * Finds the axes of a view.
      *
-     * @param pose the eye and the look-at point
+     * @param eye the eye
+     * @param lookAt another point
      * @param up what is up in the picture, not along the view; null for +y, or -z if the view is along y
      * @return the axes
      */
-    static ViewAxes of(Pose pose, Vector up) {
-        Vector forward = forward(pose);
+    static ViewAxes of(Point eye, Point lookAt, Vector up) {
+        Vector forward = forward(eye, lookAt);
         Vector right = Vector.cross(forward, up != null ? unit(up) : new Vector(0, isAlongY(forward) ? 0 : 1, isAlongY(forward) ? -1 : 0));
         right.normalise();
         return new ViewAxes(forward, right, Vector.cross(right, forward));
     }
 
     /** {@return whether a vector is along a view, forward or backward, up to rounding; false if one of them is zero} */
-    static boolean isAlong(Pose pose, Vector up) {
-        Vector forward = forward(pose);
+    static boolean isAlong(Point eye, Point lookAt, Vector up) {
+        Vector forward = forward(eye, lookAt);
         Vector unit = unit(up);
         return forward.norm() * unit.norm() > 0 && Vector.cross(forward, unit).norm() <= ALONG;
     }
@@ -39,9 +40,9 @@ record ViewAxes(Vector forward, Vector right, Vector up) {
         return forward.x == 0 && forward.z == 0;
     }
 
-    private static Vector forward(Pose pose) {
+    private static Vector forward(Point eye, Point lookAt) {
         // halves, so that no difference overflows
-        return unit(new Vector(pose.lx() / 2 - pose.ex() / 2, pose.ly() / 2 - pose.ey() / 2, pose.lz() / 2 - pose.ez() / 2));
+        return unit(new Vector(lookAt.x / 2 - eye.x / 2, lookAt.y / 2 - eye.y / 2, lookAt.z / 2 - eye.z / 2));
     }
 
     private static Vector unit(Vector v) {

@@ -34,7 +34,7 @@ public final class CompiledScene {
     private static final double MAX_COORDINATE = 1e17;
 
     final Scene scene;
-    /** The origin of primary rays. */
+    /** The origin of primary rays; null if they have none in common. */
     final Point eye;
     /** The number of bounded objects. */
     final int bounded;
@@ -63,7 +63,7 @@ public final class CompiledScene {
 
     private final int threads;
     private final long rays;
-    private final boolean listed;                             // whether there is an eye buffer, if it pays
+    private final boolean listed;                             // whether there is an eye buffer, if there is an eye and it pays
 
     /** The structures for the bounded objects. */
     enum Structure { AUTO, GRID, BVH }
@@ -72,7 +72,7 @@ public final class CompiledScene {
      * Compiles a scene.
      *
      * @param scene the scene, which must not change any more
-     * @param eye the origin of primary rays
+     * @param eye the origin of primary rays; null if they are parallel
      * @param threads the number of threads to use
      * @param rays the approximate number of primary rays: light buffers pay if it is at least the number of parts to list
      */
@@ -117,7 +117,8 @@ public final class CompiledScene {
             copy(all);
             firstParts = firstParts();
             PrimitiveBounds parts = !canBeListed() ? null : firstParts == null ? bounds : partBounds(pool);
-            Pool.Task<LightBuffer> fromEye = parts == null ? null : pool.begin(() -> LightBuffer.of(parts, eye.x, eye.y, eye.z));
+            Pool.Task<LightBuffer> fromEye = parts == null || eye == null ? null
+                : pool.begin(() -> LightBuffer.of(parts, eye.x, eye.y, eye.z));
             List<Pool.Task<LightBuffer>> fromLights = new ArrayList<>();
             for (int i = 0; parts != null && i < Math.min(MAX_BUFFERS, lightBuffers.length); i++) {
                 Point origin = scene.getLight(i).origin();
@@ -152,7 +153,7 @@ public final class CompiledScene {
         lightBuffers = scene == other.scene ? other.lightBuffers : lightBuffers(other);
         boolean same = other.listed && isSame(eye, other.eye);
         listed = lists || same;
-        eyeBuffer = same ? other.eyeBuffer : lists && canBeListed() ? buffer(eye) : null;
+        eyeBuffer = same ? other.eyeBuffer : lists && eye != null && canBeListed() ? buffer(eye) : null;
     }
 
     private LightBuffer[] lightBuffers(CompiledScene other) {

@@ -110,7 +110,7 @@ class AnimateCommandTest {
 
         assertThat(files()).isEqualTo(NAMES.subList(0, 4));
         for (int f = 0; f < 4; f++) {
-            Pose p = table.camera(f);
+            Pose p = table.camera(f).camera;
             good("render @still.scene --depth 2 -o @one.png -q --camera " + p.ex() + ',' + p.ey() + ',' + p.ez() + ',' + p.lx() + ',' + p.ly()
                 + ',' + p.lz() + ',' + p.fov());
             assertThat(bytes("f." + f + ".png")).as("frame %d", f).isEqualTo(bytes("one.png"));

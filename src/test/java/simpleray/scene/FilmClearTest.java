@@ -84,6 +84,27 @@ class FilmClearTest {
         }
     }
 
+    /** From (0, 0, 5) the view goes on to (0, 0, 0), from (0, 4, 5) too: all views between lie in the plane x = 0, from 0 to 38.7 degrees down. */
+    @Test
+    void aCameraIsClearIfNoViewCanBeAlongUp() {
+        double[] low = v(0, 0, 5, 0, 0, 0, 40);
+        double[] high = v(0, 4, 5, 0, 0, 0, 40);
+        for (double sign : new double[] {-1e300, 1}) {
+            assertThat(isClear(withUp(0, sign, 0), Curve.LINEAR, CAMERA, low, high)).isTrue();
+            assertThat(isClear(withUp(sign, 0, 0), Curve.LINEAR, CAMERA, low, high)).isTrue();
+            assertThat(isClear(withUp(sign, 4 * sign, 10 * sign), Curve.LINEAR, CAMERA, low, high)).isTrue();
+            assertThat(isClear(withUp(0, -4 * sign, 10 * sign), Curve.LINEAR, CAMERA, low, high)).isTrue();
+            assertThat(isClear(withUp(0, 4 * sign, 10 * sign), Curve.LINEAR, CAMERA, low, high)).as("that of frame 0.5").isFalse();
+            assertThat(isClear(withUp(0, 0, sign), Curve.LINEAR, CAMERA, low, high)).as("that of frame 0").isFalse();
+        }
+    }
+
+    private static Scene withUp(double x, double y, double z) {
+        Scene scene = new Scene();
+        scene.settings.up = new Vector(x, y, z);
+        return scene;
+    }
+
     /** With room for four times as much: 4 · 2.5e99 = 1e100. */
     @Test
     void anObjectIsClearIfThereIsRoomForMore() {

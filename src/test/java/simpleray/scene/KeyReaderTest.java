@@ -152,15 +152,36 @@ class KeyReaderTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"cop 3", "window -1 1 -1 1"})
-    void aKeyOfTheCameraExcludesCopAndWindow(String line) {
+    @ValueSource(strings = {"cop 3", "window -1 1 -1 1", "parallel 0 0 5 0 0 0 4"})
+    void aKeyOfTheCameraExcludesOtherCameras(String line) {
         String key = "key 0 camera 0 0 5 0 0 0 40";
 
         assertThat(errors(FILM + line + '\n' + key)).containsExactly("3:7 expected key's camera without the settings of another one, found 'camera'");
         assertThat(errors(FILM + key + '\n' + line))
-            .containsExactly("3:1 expected either a camera, or a window and a cop, found '" + line.split(" ")[0] + "'");
+            .containsExactly("3:1 expected either camera, or parallel, or window and cop (up goes with the first two), found '"
+                + line.split(" ")[0] + "'");
         assertThat(errors(FILM + line + "\nkey 0 object 1 0 0 1")).isEmpty();
         assertThat(errors(FILM + "camera 0 0 2 0 0 0 20\n" + key)).isEmpty();
+    }
+
+    @Test
+    void upGoesWithKeysOfTheCameraAlone() {
+        assertThat(errors(FILM + "key 0 camera 0 0 5 0 0 0 40\nup 1 1 0")).isEmpty();
+        assertThat(errors(FILM + "up 1 1 0\nkey 0 camera 0 0 5 0 0 0 40")).isEmpty();
+        assertThat(errors(FILM + "up 1 1 0\nkey 0 object 1 0 0 5"))
+            .containsExactly("2:1 expected a camera or parallel, which up needs, found up alone");
+    }
+
+    /** From (0, 0, 5) to (0, 4, 5), linearly in 4 frames, the camera goes by (0, 2, 5) at frame 2, where the view is along (0, -2, -5). */
+    @Test
+    void aFrameThatLooksAlongUpIsNamed() {
+        String keys = "curve linear\nkey 0 camera 0 0 5 0 0 0 40\nkey 4 camera 0 4 5 0 0 0 40\n";
+
+        assertThat(errors(FILM + keys + "up 0 -4 -10")).containsExactly(
+            "3:5 expected frame 2's camera with a view that is not along up, found 0.0 2.0 5.0 0.0 0.0 0.0 40.0");
+        assertThat(errors(FILM + "up 0 4 10\n" + keys)).containsExactly(
+            "4:5 expected frame 2's camera with a view that is not along up, found 0.0 2.0 5.0 0.0 0.0 0.0 40.0");
+        assertThat(errors(FILM + keys + "up 0 5 10")).as("between two frames").isEmpty();
     }
 
     @ParameterizedTest

@@ -122,7 +122,11 @@ public final class SceneBits {
         } else {
             add(settings.background);
         }
-        bits.addAll(Arrays.asList(settings.window, settings.cop, settings.camera, settings.resolution, settings.depth, settings.samples));
+        bits.addAll(Arrays.asList(settings.window, settings.cop, settings.camera, settings.parallel, settings.resolution, settings.depth,
+            settings.samples));
+        if (settings.up != null) {
+            add(settings.up);
+        }
     }
 
     private void add(Colour c) {

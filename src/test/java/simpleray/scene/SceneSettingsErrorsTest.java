@@ -11,7 +11,7 @@ import simpleray.text.SceneFormatException;
 
 /** What is wrong with a keyword or its values is told with its place. */
 class SceneSettingsErrorsTest {
-    private static final String EITHER = "expected either a camera, or a window and a cop, found ";
+    private static final String EITHER = "expected either camera, or parallel, or window and cop (up goes with the first two), found ";
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', quoteCharacter = '"', value = {
@@ -28,7 +28,12 @@ class SceneSettingsErrorsTest {
         "camera 0 0 0 0 0 1 180 | 20 | expected camera's field of view above 0 and below 180 degrees, found '180'",
         "camera 0 0 0 0 0 1 -40 | 20 | expected camera's field of view above 0 and below 180 degrees, found '-40'",
         "camera 0 0 0 0 0 1 NaN | 20 | expected camera's field of view, found 'NaN' (numbers must be finite)",
-        "up 0 1 0 | 1 | expected a camera, which up needs, found up alone",
+        "up 0 1 0 | 1 | expected a camera or parallel, which up needs, found up alone",
+        "parallel 1 2 3 1 2 3 9 | 10 | expected parallel's look-at point other than the eye, found '1 2 3 1 2 3 9'",
+        "parallel 0 0 0 0 0 1 0 | 22 | expected parallel's height above 0 and up to 1e100, found '0'",
+        "parallel 0 0 0 0 0 1 -4 | 22 | expected parallel's height above 0 and up to 1e100, found '-4'",
+        "parallel 0 0 0 0 0 1 1e101 | 22 | expected parallel's height above 0 and up to 1e100, found '1e101'",
+        "parallel 0 0 0 0 0 1 NaN | 22 | expected parallel's height, found 'NaN' (numbers must be finite)",
         "camera 0 x 0 0 0 1 40 | 10 | expected camera's eye y, found 'x'"})
     void aValueThatMakesNoSenseIsNamed(String line, int column, String message) {
         assertRejected(line, report(2, column, message, line));
@@ -54,7 +59,7 @@ class SceneSettingsErrorsTest {
     @CsvSource({"background, red", "background 1, green", "background 1 1, blue", "window, xmin", "window 1, xmax", "window 1 2, ymin",
         "window 1 2 3, ymax", "cop, z", "camera, eye x", "camera 1, eye y", "camera 1 1, eye z", "camera 1 1 1, look-at x",
         "camera 1 1 1 1, look-at y",
-        "camera 1 1 1 1 1, look-at z", "camera 1 1 1 1 1 2, field of view", "up, direction x",
+        "camera 1 1 1 1 1, look-at z", "camera 1 1 1 1 1 2, field of view", "parallel 1 1 1 1 1 2, height", "up, direction x",
         "up 0, direction y", "up 0 1, direction z", "resolution, width from 1 to 65535",
         "resolution 5, height from 1 to 65535", "depth, number from 0 to 1000", "samples, number from 1 to 16"})
     void aMissingValueIsNamed(String line, String field) {
@@ -64,7 +69,8 @@ class SceneSettingsErrorsTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"background 1 1 1", "window -1 1 -1 1", "cop 2", "camera 0 0 0 0 0 1 40", "resolution 5 5", "depth 3", "samples 2"})
+    @CsvSource({"background 1 1 1", "window -1 1 -1 1", "cop 2", "camera 0 0 0 0 0 1 40", "parallel 0 0 0 0 0 1 4", "resolution 5 5", "depth 3",
+        "samples 2"})
     void aKeywordComesOnlyOnce(String line) {
         String keyword = line.split(" ")[0];
 
@@ -100,13 +106,24 @@ class SceneSettingsErrorsTest {
             report(3, 4, "expected up's direction that is not along the view, found '" + up + "'", "up " + up));
         assertRejected("up " + up + "\ncamera 1 2 3 1 2 -5 40",
             report(3, 8, "expected camera's view that is not along up, found '1 2 3 1 2 -5 40'", "camera 1 2 3 1 2 -5 40"));
+        assertRejected("up " + up + "\nparallel 1 2 3 1 2 -5 4",
+            report(3, 10, "expected parallel's view that is not along up, found '1 2 3 1 2 -5 4'", "parallel 1 2 3 1 2 -5 4"));
     }
 
     @ParameterizedTest
     @CsvSource({"cop 2", "window -1 1 -1 1"})
     void upExcludesCopAndWindow(String line) {
         assertRejected(line + "\nup 0 1 0", report(3, 1, EITHER + "'up'", "up 0 1 0") + '\n'
-            + report(3, 1, "expected a camera, which up needs, found up alone", "up 0 1 0"));
+            + report(3, 1, "expected a camera or parallel, which up needs, found up alone", "up 0 1 0"));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"cop 2", "window -1 1 -1 1", "camera 0 0 0 0 0 1 40"})
+    void parallelExcludesAllOthers(String line) {
+        String parallel = "parallel 0 0 0 0 0 1 4";
+
+        assertRejected(parallel + '\n' + line, report(3, 1, EITHER + '\'' + line.split(" ")[0] + '\'', line));
+        assertRejected(line + '\n' + parallel, report(3, 1, EITHER + "'parallel'", parallel));
     }
 
     @Test

@@ -44,6 +44,11 @@ class SceneSettingsReadTest {
         assertReads("camera 3 2 5  0 -1 0.5  40", camera);
         camera.up = new Vector(0.5, -2, 0);
         assertReads("up 0.5 -2 0\ncamera 3 2 5  0 -1 0.5  40", camera);
+        SceneSettings parallel = new SceneSettings();
+        parallel.parallel = new ParallelCamera.View(3, 2, 5, 0, -1, 0.5, 4);
+        assertReads("parallel 3 2 5  0 -1 0.5  4", parallel);
+        parallel.up = new Vector(0, 0, -1e9);
+        assertReads("parallel 3 2 5  0 -1 0.5  4\nup 0 0 -1e9", parallel);
         SceneSettings resolution = new SceneSettings();
         resolution.resolution = new SceneSettings.Resolution(640, 480);
         assertReads("resolution 640 480", resolution);

@@ -1,6 +1,7 @@
 package simpleray.scene;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -12,6 +13,7 @@ import simpleray.math.Vector;
 class SceneSettingsUnderTest {
     private static final SceneSettings.Window WINDOW = new SceneSettings.Window(-1, 3, -1, 1);
     private static final PerspectiveCamera.Pose POSE = new PerspectiveCamera.Pose(0, 0, 7, 0, 0, 0, 40);
+    private static final ParallelCamera.View VIEW = new ParallelCamera.View(3, 4, 7, 0, 0, 0, 5);
 
     private final SceneSettings file = new SceneSettings();
     private final SceneSettings line = new SceneSettings();
@@ -87,6 +89,56 @@ class SceneSettingsUnderTest {
         line.window = new SceneSettings.Window(0, 1, 0, 1);
         assertThat(file.under(line).cop).isEqualTo(4);
         assertThat(file.under(line).window).isEqualTo(line.window);
+    }
+
+    @Test
+    void aParallelCameraTakesThePlaceOfEachOtherButLeavesUp() {
+        line.parallel = VIEW;
+        for (SceneSettings other : List.of(file, filled())) {
+            assertThat(other.under(line).parallel).isEqualTo(VIEW);
+            assertThat(other.under(line).cop).isNull();
+            assertThat(other.under(line).window).isNull();
+        }
+        file.camera = POSE;
+        file.up = new Vector(1, 2, 3);
+        assertThat(file.under(line).camera).isNull();
+        assertThat(file.under(line).up).isSameAs(file.up);
+        line.parallel = null;
+        line.cop = 3.0;
+        assertThat(file.under(line).up).isNull();
+    }
+
+    @Test
+    void upNeedsACameraThatItIsNotAlong() {
+        file.up = new Vector(0, 0, 3);
+        assertThatThrownBy(file::newCamera).isInstanceOf(IllegalArgumentException.class).hasMessage("up needs a camera or parallel");
+        line.camera = new PerspectiveCamera.Pose(1, 2, 3, 1, 2, 2, 40);
+        assertThatThrownBy(file.under(line)::newCamera).isInstanceOf(IllegalArgumentException.class)
+            .hasMessage("up must not be along the view");
+        line.camera = null;
+        line.parallel = new ParallelCamera.View(1, 2, 3, 1, 2, 2, 40);
+        assertThatThrownBy(file.under(line)::newCamera).isInstanceOf(IllegalArgumentException.class)
+            .hasMessage("up must not be along the view");
+    }
+
+    @Test
+    void aViewMakesAParallelCameraAndUpTurnsEither() {
+        Vector up = new Vector(1, 0, 1);
+        file.parallel = VIEW;
+        file.resolution = new SceneSettings.Resolution(30, 10);
+        assertSame(file.newCamera(), new ParallelCamera(VIEW, null, 30, 10));
+
+        file.up = up;
+        assertSame(file.newCamera(), new ParallelCamera(VIEW, up, 30, 10));
+        file.parallel = null;
+        file.camera = POSE;
+        assertSame(file.newCamera(), new PerspectiveCamera(POSE, up, 30, 10));
+    }
+
+    private static SceneSettings filled() {
+        SceneSettings settings = new SceneSettings();
+        fill(settings);
+        return settings;
     }
 
     @Test

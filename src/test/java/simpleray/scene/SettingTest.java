@@ -104,9 +104,11 @@ class SettingTest {
 
     @Test
     void settingsOfDifferentCamerasExcludeEachOther() {
-        assertThat(Setting.ALL.stream().filter(Setting.CAMERA::excludes)).containsExactlyInAnyOrder(Setting.COP, Setting.WINDOW);
+        assertThat(Setting.ALL.stream().filter(Setting.CAMERA::excludes)).containsExactly(Setting.COP, Setting.WINDOW, Setting.PARALLEL);
+        assertThat(Setting.ALL.stream().filter(Setting.PARALLEL::excludes)).containsExactly(Setting.COP, Setting.WINDOW, Setting.CAMERA);
+        assertThat(Setting.ALL.stream().filter(Setting.UP::excludes)).containsExactly(Setting.COP, Setting.WINDOW);
         assertThat(Stream.of(Setting.COP, Setting.WINDOW)).allSatisfy(setting ->
-            assertThat(Setting.ALL.stream().filter(setting::excludes)).containsExactly(Setting.CAMERA, Setting.UP));
+            assertThat(Setting.ALL.stream().filter(setting::excludes)).containsExactly(Setting.CAMERA, Setting.PARALLEL, Setting.UP));
         assertThat(Setting.ALL.stream().filter(setting -> setting.excludes(setting))).isEmpty();
     }
 

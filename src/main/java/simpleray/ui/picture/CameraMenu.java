@@ -95,9 +95,7 @@ public final class CameraMenu {
             return;
         }
         if (FreeView.isExact(view)) {
-            SceneSettings free = new SceneSettings();
-            free.camera = FreeView.of(view);
-            view = free;
+            view = FreeView.alone(view);
         }
         String lines = ViewLines.of(view);
         Toolkit.getDefaultToolkit().getSystemClipboard().setContents(new StringSelection(lines), null);

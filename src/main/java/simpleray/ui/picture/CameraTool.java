@@ -21,7 +21,7 @@ import simpleray.ui.file.SceneSource;
 
 /**
  * Moves the camera by mouse: the left button orbits round the pivot, the middle one, or Space and the left one, pans, the wheel
- * dollies. For the event thread.
+ * dollies, or zooms if rays are parallel. For the event thread.
  *
  * <p>Until it is moved, the camera is the scene's own, or the one asked for; then the free camera that shows the same takes its place
  * ({@link FreeView}). Each move is asked for at once; {@link SimpleRay#restart} takes as many as can be seen, and the last one in any case.
@@ -31,7 +31,7 @@ final class CameraTool extends MouseAdapter {
     private static final int DRAG = 4;
     /** Degrees for a pixel of a drag. */
     private static final double TURN = 0.5;
-    /** The share of the distance to the pivot that a notch of the wheel leaves. */
+    /** The share of the distance to the pivot, or of the height of parallel rays, that a notch of the wheel leaves. */
     private static final double NOTCH = 0.9;
 
     private final SimpleRay picture;
@@ -133,9 +133,7 @@ final class CameraTool extends MouseAdapter {
             RenderJob.Snapshot now = shown();
             return now == null ? null : now.settings();
         }
-        SceneSettings view = new SceneSettings();
-        view.camera = orbit.pose();
-        return view;
+        return orbit.settings();
     }
 
     /** {@return how far the rendering is, if it has read a scene; else null} */
@@ -150,8 +148,8 @@ final class CameraTool extends MouseAdapter {
             if (now == null) {
                 return;
             }
-            orbit = Orbit.of(FreeView.of(now.settings()));
-            aimed = now.settings().camera != null;            // such a camera says itself what it looks at
+            orbit = Orbit.of(FreeView.alone(now.settings()));
+            aimed = now.settings().isFree();                  // such a camera says itself what it looks at
         }
         if (!aimed && now != null) {
             orbit = orbit.aimed(now.scene());
@@ -161,9 +159,7 @@ final class CameraTool extends MouseAdapter {
         if (home == null) {
             home = picture.request().settings();
         }
-        SceneSettings camera = new SceneSettings();
-        camera.camera = orbit.pose();
-        picture.setRequest(with(camera));
+        picture.setRequest(with(orbit.settings()));
         picture.restart();
     }
 
