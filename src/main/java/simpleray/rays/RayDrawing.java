@@ -266,8 +266,14 @@ public final class RayDrawing {
         for (int i = 0; i <= down; i++) {
             paintGrid(g, onPlane(0, (double) i * h / down, away), onPlane(w, (double) i * h / down, away));
         }
+        Point before = inside.through(0, h).origin;
         for (double[] corner : new double[][] {{0, 0}, {w, 0}, {w, h}, {0, h}}) {
-            paintGrid(g, inside.through(corner[0], corner[1]).origin, onPlane(corner[0], corner[1], away));
+            Point start = inside.through(corner[0], corner[1]).origin;
+            paintGrid(g, start, onPlane(corner[0], corner[1], away));
+            if (inside.eye() == null) {
+                paintGrid(g, before, start);                  // the plane in which parallel rays start
+            }
+            before = start;
         }
         g.setColor(PIXEL);
         Path2D pixel = new Path2D.Double();
