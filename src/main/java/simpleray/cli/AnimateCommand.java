@@ -232,7 +232,7 @@ final class AnimateCommand implements Callable<Integer> {
             throw CommandException.usage("a film of frames of " + width + 'x' + height + " is too large for ffmpeg");
         }
         HeapCheck.require("a film of frames of " + width + 'x' + height,
-            renderer.bytesNeeded() + Math.max(extra, PngWriter.bytesNeeded(width, renderer.rowsAhead())));
+            renderer.bytesNeeded() + Math.max(extra, PngWriter.bytesNeeded(renderer.picture(), renderer.rowsAhead())));
     }
 
     /** {@return what a frame is rendered of} On a turntable things stand still once the scene's own film has ended. */
@@ -306,7 +306,8 @@ final class AnimateCommand implements Callable<Integer> {
             renderFrames((f, frame, renderer) -> {
                 Picture rendered = renderer.picture();
                 render(renderer, y -> {
-                    rendered.levels(y, levels, 3 * width * y);
+                    byte[] row = Picture.levels(rendered.over(y, 0));   // films have no alpha
+                    System.arraycopy(row, 0, levels, row.length * y, row.length);
                     rendered.release(y);
                     printer.rowFinished(y);
                 });

@@ -70,7 +70,7 @@ final class DrawOptions extends OptionGroup {
         OutputName.refuseNamed(out.value(), name, file);
         int width = (size.value() == null ? SIZE : size.value()).width();
         int height = (size.value() == null ? SIZE : size.value()).height();
-        HeapCheck.require("a drawing of " + width + 'x' + height, 2 * Picture.bytesNeeded(width, height));
+        HeapCheck.require("a drawing of " + width + 'x' + height, 2 * Picture.bytesNeeded(width, height, Picture.RGB));
         Scene scene = request.applyTo(file.scene());
         Camera inside = scene.settings.newCamera();
         List<RaySegment> segments = RaySegment.of(story, scene);

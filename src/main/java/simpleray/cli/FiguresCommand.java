@@ -84,7 +84,7 @@ final class FiguresCommand implements Callable<Integer> {
             OutputName.refuseNamed(output(figure), scene, file);
         }
         Picture first = request.renderer(read).picture();     // its size is that of all
-        List<Sheet> sheets = layouts(figures, first.width(), first.height());
+        List<Sheet> sheets = layouts(figures, first);
         int rows = first.height() * figures.stream().mapToInt(Figure::rendered).sum();
         printer = work.printer(new Progress(rows, System.nanoTime()), main);
         TextOutput.makeFolder(folder);
@@ -145,19 +145,19 @@ final class FiguresCommand implements Callable<Integer> {
     }
 
     /** Lays out the sheets, and makes sure that there is memory for each. */
-    private List<Sheet> layouts(List<Figure> figures, int width, int height) throws CommandException {
+    private List<Sheet> layouts(List<Figure> figures, Picture first) throws CommandException {
         List<Sheet> sheets = new ArrayList<>();
         try {
             for (Figure figure : figures) {
-                sheets.add(new Sheet(width, height, figure.labels));
+                sheets.add(new Sheet(first.width(), first.height(), figure.labels));
             }
         } catch (IllegalArgumentException e) {
             throw CommandException.usage(e.getMessage());
         }
         for (int i = 0; i < sheets.size(); i++) {
             Sheet sheet = sheets.get(i);
-            HeapCheck.require("a sheet of " + sheet.width() + 'x' + sheet.height(), Picture.bytesNeeded(sheet.width(), sheet.height())
-                + figures.get(i).labels.size() * Picture.bytesNeeded(width, height));
+            HeapCheck.require("a sheet of " + sheet.width() + 'x' + sheet.height(), Picture.bytesNeeded(sheet.width(), sheet.height(), Picture.RGB)
+                + figures.get(i).labels.size() * Picture.bytesNeeded(first.width(), first.height(), first.channels()));
         }
         return sheets;
     }

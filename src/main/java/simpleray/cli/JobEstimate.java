@@ -79,7 +79,7 @@ record JobEstimate(long heap, double start, double picture) {
         Runtime memory = Runtime.getRuntime();
         long scenes = memory.totalMemory() - memory.freeMemory();   // the scene, made ready for rendering
         double ready = sample.stats() == null ? 0 : sample.stats().readySeconds();
-        long bytes = 2 * scenes + whole.bytesNeeded() + PngWriter.bytesNeeded(size.width(), whole.rowsAhead());
+        long bytes = 2 * scenes + whole.bytesNeeded() + PngWriter.bytesNeeded(whole.picture(), whole.rowsAhead());
         return new JobEstimate(heap(bytes), JAVA_SECONDS + readSeconds + ready, rendered);
     }
 

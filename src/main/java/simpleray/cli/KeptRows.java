@@ -90,7 +90,7 @@ final class KeptRows {
                 + " (--restart discards them)");
         }
         Picture picture = renderer.picture();
-        Checkpoint opened = Checkpoint.open(path, was, picture.width(), picture.height());
+        Checkpoint opened = Checkpoint.open(path, was, picture.channels() * picture.width(), picture.height());
         notes.say("going on with " + opened.count() + " of " + picture.height() + " rows, kept in " + path);
         renderer.know(y -> light(opened, y));
         return opened;

@@ -71,10 +71,10 @@ final class MergeCommand implements Callable<Integer> {
         if (!faults.isEmpty()) {
             throw new CommandException(exitCode, String.join("\n", faults));
         }
-        Picture picture = new Picture(first.whole().width(), first.whole().height());
+        Picture picture = new Picture(first.whole().width(), first.whole().height(), first.channels());
         picture.tell(first.texts());
         HeapCheck.require("a picture of " + picture.width() + 'x' + picture.height(),
-            PngWriter.bytesNeeded(picture.width(), 1) + 2 * Picture.bytesNeeded(picture.width(), 1));
+            PngWriter.bytesNeeded(picture, 1) + 2 * Picture.bytesNeeded(picture.width(), 1, picture.channels()));
         if (output.equals(SceneArgument.STREAM)) {
             write(picture, new BufferedOutputStream(main.out()));
         } else {

@@ -164,7 +164,7 @@ final class RenderCheckpointer implements RowSink, Closeable {
     }
 
     private Checkpoint create(Map<String, String> picture) throws IOException {
-        return Checkpoint.create(path, picture, renderer.picture().width(), renderer.picture().height());
+        return Checkpoint.create(path, picture, rowBytes(), renderer.picture().height());
     }
 
     /** {@return how many rows are known from before} */
@@ -203,9 +203,13 @@ final class RenderCheckpointer implements RowSink, Closeable {
         }
     }
 
+    private int rowBytes() {
+        return renderer.picture().channels() * renderer.picture().width();
+    }
+
     @Override
     public synchronized void row(int y, byte[] levels, int from) {
-        int length = 3 * renderer.picture().width();
+        int length = rowBytes();
         if (checkpoint != null && !full) {
             try {
                 checkpoint.put(y, levels, from);

@@ -152,7 +152,7 @@ final class RenderCommand implements PlainCommand {
             return ExitCode.DONE;
         }
         HeapCheck.require("a picture of " + asked.width() + 'x' + asked.height(),
-            renderer.bytesNeeded() + PngWriter.bytesNeeded(asked.width(), renderer.rowsAhead()));
+            renderer.bytesNeeded() + PngWriter.bytesNeeded(asked, renderer.rowsAhead()));
         Supplier<Map<String, String>> identity = new Supplier<>() {
             @Override
             public Map<String, String> get() {

@@ -39,6 +39,7 @@ final class StoryJson {
         colour("colour", pixel.colour());
         out.append(",\"levels\":[").append(Picture.level(pixel.colour().r)).append(',').append(Picture.level(pixel.colour().g))
             .append(',').append(Picture.level(pixel.colour().b)).append(']');
+        pixel.alpha().ifPresent(alpha -> value("alpha", alpha));
         out.append(",\"mean\":").append(pixel.mean());
         list("samples", pixel.samples(), this::tell);
         out.append('}');

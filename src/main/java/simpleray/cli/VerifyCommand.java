@@ -130,13 +130,17 @@ final class VerifyCommand implements Callable<Integer> {
     private int compare(Renderer renderer, PictureScene told, RenderRequest request) throws IOException, CommandException {
         Picture rendered = renderer.picture();
         HeapCheck.require("a picture of " + rendered.width() + 'x' + rendered.height(),
-            renderer.bytesNeeded() + 3L * rendered.width() * renderer.rowsAhead()
+            renderer.bytesNeeded() + (long) rendered.channels() * rendered.width() * renderer.rowsAhead()
                 + PngReader.bytesNeeded(rendered.width(), rendered.height()));
         try (PngReader rows = piped == null ? PngReader.open(picture)
                 : PngReader.open(new ByteArrayInputStream(piped), SceneArgument.told(picture))) {
             if (rows.width() != rendered.width() || rows.height() != rendered.height()) {
                 throw new PictureFormatException(picture, "is " + rows.width() + 'x' + rows.height() + ", and its options say "
                     + rendered.width() + 'x' + rendered.height());
+            }
+            if (rows.channels() != rendered.channels()) {
+                throw new PictureFormatException(picture, "has " + (rendered.hasAlpha() ? "no alpha, and its scene has no background"
+                    : "alpha, and its scene has a background"));
             }
             RowsCheck check = new RowsCheck(rendered, rows);
             render(renderer, check);

@@ -81,7 +81,7 @@ final class ViewCommand implements PlainCommand {
         }
         Resolution size = Setting.RESOLUTION.in(request.settings());
         HeapCheck.require("a picture of " + size.width() + 'x' + size.height(),
-            Picture.bytesNeeded(size.width(), size.height()) + SCREEN * size.width() * size.height());
+            Picture.bytesNeeded(size.width(), size.height(), Picture.RGB) + SCREEN * size.width() * size.height());
         Viewer.view(source(), request, look.value());
         return ExitCode.DONE;
     }

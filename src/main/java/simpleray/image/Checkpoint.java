@@ -48,13 +48,13 @@ public final class Checkpoint implements Closeable {
     private int written;                                      // records
     private int count;                                        // rows
 
-    private Checkpoint(Path path, OutputLock lock, FileChannel file, int width, int height, int begin) {
+    private Checkpoint(Path path, OutputLock lock, FileChannel file, int rowBytes, int height, int begin) {
         this.path = path;
         this.lock = lock;
         this.file = file;
         this.height = height;
         this.begin = begin;
-        rowBytes = 3 * width;
+        this.rowBytes = rowBytes;
         recordBytes = Integer.BYTES + rowBytes + Integer.BYTES;
         record = ByteBuffer.allocate(recordBytes);
         records = new int[height];
@@ -66,21 +66,21 @@ public final class Checkpoint implements Closeable {
      *
      * @param path the file, which is not there
      * @param identity all that the picture depends on
-     * @param width the picture's width in pixels
+     * @param rowBytes the number of a row's levels
      * @param height the picture's height in pixels
      * @return the checkpoint
      * @throws FileInUseException if another rendering has it, or has made it
      * @throws FileSystemException if it cannot be created
      * @throws IOException if it cannot be written
      */
-    public static Checkpoint create(Path path, Map<String, String> identity, int width, int height) throws IOException {
+    public static Checkpoint create(Path path, Map<String, String> identity, int rowBytes, int height) throws IOException {
         byte[] head = head(identity);
         return locked(path, lock -> {
             if (Files.exists(path)) {                         // since somebody looked
                 throw new FileInUseException(path.toString());
             }
             FileChannel file = begin(path);
-            Checkpoint checkpoint = new Checkpoint(path, lock, file, width, height, head.length);
+            Checkpoint checkpoint = new Checkpoint(path, lock, file, rowBytes, height, head.length);
             try {
                 writeAll(file, ByteBuffer.wrap(head), 0);
                 return checkpoint;
@@ -97,20 +97,20 @@ public final class Checkpoint implements Closeable {
      *
      * @param path the file
      * @param identity the text that {@link #identity} returned
-     * @param width the picture's width in pixels
+     * @param rowBytes the number of a row's levels
      * @param height the picture's height in pixels
      * @return the checkpoint
      * @throws FileInUseException if another rendering has it, or has removed or changed it since
      * @throws IOException if it cannot be read
      */
-    public static Checkpoint open(Path path, Map<String, String> identity, int width, int height) throws IOException {
+    public static Checkpoint open(Path path, Map<String, String> identity, int rowBytes, int height) throws IOException {
         return locked(path, lock -> {
             if (!Files.exists(path) || !identity.equals(identity(path))) {
                 throw new FileInUseException(path.toString());
             }
             FileChannel file = FileChannel.open(path, StandardOpenOption.READ, StandardOpenOption.WRITE);
             try {
-                Checkpoint checkpoint = new Checkpoint(path, lock, file, width, height, head(identity).length);
+                Checkpoint checkpoint = new Checkpoint(path, lock, file, rowBytes, height, head(identity).length);
                 checkpoint.load();
                 return checkpoint;
             } catch (IOException e) {
@@ -254,7 +254,7 @@ public final class Checkpoint implements Closeable {
      * Keeps a row. One that is kept already stays as it is.
      *
      * @param y its number, 0 at the top
-     * @param levels holds red, green and blue of each pixel from the left
+     * @param levels holds red, green and blue of each pixel from the left, and its alpha if there is any
      * @param from where in it they begin
      * @throws IOException if it cannot be written
      */
@@ -273,7 +273,8 @@ public final class Checkpoint implements Closeable {
      * Finds a row.
      *
      * @param y its number, 0 at the top
-     * @return red, green and blue of each pixel from the left, 0 to 255 each, a new array; null if it is not kept
+     * @return red, green and blue of each pixel from the left, and its alpha if there is any, 0 to 255 each, a new array; null if it is not
+     *     kept
      * @throws IOException if it cannot be read
      */
     public synchronized byte[] levels(int y) throws IOException {

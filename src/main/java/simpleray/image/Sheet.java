@@ -73,7 +73,7 @@ public final class Sheet {
      * Fills the sheet.
      *
      * @param pictures as many as there are labels, complete and of the size given before
-     * @return a new picture, with copies of their linear light
+     * @return a new picture, with copies of their linear light; the paper is seen where they are transparent
      */
     public Picture with(List<Picture> pictures) {
         if (pictures.size() != labels.size()
@@ -89,7 +89,7 @@ public final class Sheet {
             if (y >= top && y < top + pictureHeight) {
                 for (int i = 0; i < pictures.size(); i++) {
                     int x = left(i) + (cell - pictureWidth) / 2;
-                    System.arraycopy(pictures.get(i).row(y - top), 0, row, 3 * x, 3 * pictureWidth);
+                    System.arraycopy(pictures.get(i).over(y - top, PAPER), 0, row, 3 * x, 3 * pictureWidth);
                 }
             } else {
                 write(row, Math.floorDiv(y - top - pictureHeight, dot) - GAP);

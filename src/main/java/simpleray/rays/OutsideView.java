@@ -105,10 +105,11 @@ public final class OutsideView {
     }
 
     static BufferedImage faded(Picture picture) {
-        BufferedImage image = picture.toBufferedImage();
+        BufferedImage image = new BufferedImage(picture.width(), picture.height(), BufferedImage.TYPE_INT_RGB);
         for (int y = 0; y < image.getHeight(); y++) {
+            int[] row = Picture.packed(Picture.levels(picture.over(y, 0)), Picture.RGB);
             for (int x = 0; x < image.getWidth(); x++) {
-                int rgb = image.getRGB(x, y);
+                int rgb = row[x];
                 image.setRGB(x, y, faded(rgb >> 16 & 0xff) << 16 | faded(rgb >> 8 & 0xff) << 8 | faded(rgb & 0xff));
             }
         }

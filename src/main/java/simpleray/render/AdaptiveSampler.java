@@ -2,12 +2,13 @@ package simpleray.render;
 
 import java.util.concurrent.atomic.AtomicReferenceArray;
 import java.util.stream.DoubleStream;
+import simpleray.image.Picture;
 import simpleray.math.Colour;
 
 /**
  * Samples four by four points of a pixel at an edge, and one of others (Whitted 1980: more rays where colours differ). First one of a pixel's
- * sixteen points is traced; if its colour differs from that of one of the eight neighbours by more than a few levels, the other fifteen are
- * traced, too. This depends on the scene alone, so the picture does not depend on the order of rows.
+ * sixteen points is traced; if its colour differs from that of one of the eight neighbours by more than a few levels, or one of the two is
+ * transparent, the other fifteen are traced, too. This depends on the scene alone, so the picture does not depend on the order of rows.
  */
 final class AdaptiveSampler implements Sampler {
     private static final int SIDE = 4;
@@ -22,13 +23,14 @@ final class AdaptiveSampler implements Sampler {
     private final int left;                                   // the columns whose first points are traced
     private final int right;
     private final int height;
+    private final int channels;                               // of a first point
     private final AtomicReferenceArray<Row> first;            // shared by all threads; null if all are traced already
     private final double[][] found;
     private final double[][] near = new double[3][];          // the first points of the current row, between its neighbours'
     private int asked = NONE;
 
-    /** The colours of the first points of a row. */
-    record Row(int y, double[] rgb) {
+    /** The colours of the first points of a row, and their alpha if the picture has any. */
+    record Row(int y, double[] light) {
     }
 
     /**
@@ -43,26 +45,27 @@ final class AdaptiveSampler implements Sampler {
     }
 
     /** Creates a sampler for a region of a picture and the pixels around it. */
-    AdaptiveSampler(Tracer tracer, int width, int height, Region region, AtomicReferenceArray<Row> first) {
-        this(tracer, region.grown(width, height), height, first, null);
+    AdaptiveSampler(Tracer tracer, int width, int height, int channels, Region region, AtomicReferenceArray<Row> first) {
+        this(tracer, region.grown(width, height), height, channels, first, null);
     }
 
     /** Creates a sampler for a picture whose {@linkplain #first first points} are all traced already. The last argument has their rows. */
-    AdaptiveSampler(Tracer tracer, int width, int height, double[][] found) {
-        this(tracer, Region.whole(width, height), height, null, found);
+    AdaptiveSampler(Tracer tracer, int width, int height, int channels, double[][] found) {
+        this(tracer, Region.whole(width, height), height, channels, null, found);
     }
 
-    private AdaptiveSampler(Tracer tracer, Region area, int height, AtomicReferenceArray<Row> first, double[][] found) {
+    private AdaptiveSampler(Tracer tracer, Region area, int height, int channels, AtomicReferenceArray<Row> first, double[][] found) {
         this.tracer = tracer;
         left = area.x();
         right = area.right();
         this.height = height;
+        this.channels = channels;
         this.first = first;
         this.found = found;
     }
 
     @Override
-    public void pixel(int x, int y, Colour colour) {
+    public double pixel(int x, int y, Colour colour) {
         if (y != asked) {
             for (int i = 0; i < near.length; i++) {
                 near[i] = firsts(y - 1 + i);
@@ -70,23 +73,24 @@ final class AdaptiveSampler implements Sampler {
             asked = y;
         }
         double[] own = near[1];
-        int at = 3 * (x - left);
+        int at = channels * (x - left);
         colour.r = own[at];
         colour.g = own[at + 1];
         colour.b = own[at + 2];
+        int count = channels == Picture.RGBA ? (int) own[at + Picture.RGB] : 1;
         if (!isEdge(x)) {
-            return;
+            return count;
         }
         Colour sample = new Colour();
         for (int j = 0; j < SIDE; j++) {
             for (int i = 0; i < SIDE; i++) {
                 if (i != firstColumn(x, y) || j != firstRow(y)) {
-                    trace(x, y, i, j, sample);
+                    count += trace(x, y, i, j, sample) ? 1 : 0;
                     colour.add(sample);
                 }
             }
         }
-        colour.scale(1.0 / (SIDE * SIDE));
+        return Sampler.mean(colour, count, SIDE * SIDE);
     }
 
     @Override
@@ -115,8 +119,8 @@ final class AdaptiveSampler implements Sampler {
     private boolean isEdge(int x) {
         for (double[] row : near) {
             for (int nx = Math.max(left, x - 1); row != null && nx <= Math.min(right - 1, x + 1); nx++) {
-                for (int c = 0; c < 3; c++) {
-                    if (Math.abs(row[3 * (nx - left) + c] - near[1][3 * (x - left) + c]) > SAME) {
+                for (int c = 0; c < channels; c++) {
+                    if (Math.abs(row[channels * (nx - left) + c] - near[1][channels * (x - left) + c]) > SAME) {
                         return true;
                     }
                 }
@@ -135,11 +139,11 @@ final class AdaptiveSampler implements Sampler {
         }
         Row there = first.get(y % first.length());
         if (there != null && there.y == y) {
-            return there.rgb;
+            return there.light;
         }
-        double[] rgb = firsts(y, left, right);
-        first.set(y % first.length(), new Row(y, rgb));
-        return rgb;
+        double[] light = firsts(y, left, right);
+        first.set(y % first.length(), new Row(y, light));
+        return light;
     }
 
     /** {@return a row with the first points from one column to before another; null above and below the picture} */
@@ -147,25 +151,23 @@ final class AdaptiveSampler implements Sampler {
         if (y < 0 || y >= height) {
             return null;
         }
-        double[] rgb = new double[3 * (right - left)];
+        double[] light = new double[channels * (right - left)];
         Colour sample = new Colour();
-        for (int x = from, i = 3 * (from - left); x < end; x++, i += 3) {
-            first(x, y, sample);
-            rgb[i] = sample.r;
-            rgb[i + 1] = sample.g;
-            rgb[i + 2] = sample.b;
+        for (int x = from; x < end; x++) {
+            Sampler.store(sample, first(x, y, sample), light, channels * (x - left), channels);
         }
-        return rgb;
+        return light;
     }
 
-    /** Traces a pixel's first point. */
-    void first(int x, int y, Colour sample) {
-        trace(x, y, firstColumn(x, y), firstRow(y), sample);
+    /** Traces a pixel's first point. {@return its alpha} */
+    double first(int x, int y, Colour sample) {
+        return trace(x, y, firstColumn(x, y), firstRow(y), sample) ? 1 : 0;
     }
 
-    private void trace(int x, int y, int i, int j, Colour sample) {
-        tracer.trace(x + (i + 0.5) / SIDE, y + (j + 0.5) / SIDE, sample);
+    private boolean trace(int x, int y, int i, int j, Colour sample) {
+        boolean counts = tracer.trace(x + (i + 0.5) / SIDE, y + (j + 0.5) / SIDE, sample);
         sample.clamp();
+        return counts;
     }
 
     /** Chooses one of the four points around the pixel's centre, a different one for each pixel of a block of four. */

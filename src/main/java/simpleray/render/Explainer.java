@@ -3,6 +3,8 @@ package simpleray.render;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
+import java.util.OptionalDouble;
+import simpleray.image.Picture;
 import simpleray.math.Colour;
 import simpleray.math.Ray;
 import simpleray.scene.Camera;
@@ -36,10 +38,10 @@ public final class Explainer {
             : new CompiledScene(scene, camera.eye(), settings.threads(), 1);
         intersector = Tracer.intersector(scene, ready, uncounted);
         integrator = Tracer.integrator(scene, intersector, settings.stage(), uncounted);
-        Tracer tracer = new Tracer(integrator, camera, settings);
+        Tracer tracer = new Tracer(integrator, camera, settings, scene.settings.isTransparent());
         sampler = settings.samples() != RenderSettings.ADAPTIVE ? new GridSampler(tracer, settings.samples())
-            : new AdaptiveSampler(tracer, camera.width(), camera.height(), Region.whole(camera.width(), camera.height()),
-                AdaptiveSampler.rows(1, 1));
+            : new AdaptiveSampler(tracer, camera.width(), camera.height(), scene.settings.isTransparent() ? Picture.RGBA : Picture.RGB,
+                Region.whole(camera.width(), camera.height()), AdaptiveSampler.rows(1, 1));
     }
 
     /** {@return the width of the picture in pixels} */
@@ -96,10 +98,12 @@ public final class Explainer {
         boolean clamped = settings.samples() != 1;
         List<PixelStory.Sample> samples = new ArrayList<>();
         Colour colour = new Colour();
+        int count = 0;
         for (int i = 0; i < places.length; i += 2) {
             Ray ray = camera.through(places[i], places[i + 1]);
             Colour seen = new Colour();
-            recorded.trace(ray, seen, settings.depth());
+            boolean counts = recorded.trace(ray, seen, settings.depth()) || !scene.settings.isTransparent();
+            count += counts ? 1 : 0;
             if (settings.stage().isView()) {
                 integrator.trace(ray, seen, settings.depth());
             }
@@ -107,12 +111,11 @@ public final class Explainer {
                 seen.clamp();
             }
             colour.add(seen);
-            samples.add(new PixelStory.Sample(places[i], places[i + 1], clamped, seen, recorder.tree()));
+            samples.add(new PixelStory.Sample(places[i], places[i + 1], clamped, counts, seen, recorder.tree()));
         }
         boolean mean = samples.size() > 1;
-        if (mean) {
-            colour.scale(1.0 / samples.size());
-        }
-        return new PixelStory(x, y, camera.width(), camera.height(), settings.stage(), mean, List.copyOf(samples), colour);
+        double share = mean ? Sampler.mean(colour, count, samples.size()) : count;
+        return new PixelStory(x, y, camera.width(), camera.height(), settings.stage(), mean, List.copyOf(samples), colour,
+            scene.settings.isTransparent() ? OptionalDouble.of(share) : OptionalDouble.empty());
     }
 }

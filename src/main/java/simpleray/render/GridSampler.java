@@ -13,21 +13,21 @@ final class GridSampler implements Sampler {
     }
 
     @Override
-    public void pixel(int x, int y, Colour colour) {
+    public double pixel(int x, int y, Colour colour) {
         if (n == 1) {
-            tracer.trace(x + 0.5, y + 0.5, colour);
-            return;
+            return tracer.trace(x + 0.5, y + 0.5, colour) ? 1 : 0;
         }
         Colour sample = new Colour();
         colour.reset();
+        int count = 0;
         for (int j = 0; j < n; j++) {
             for (int i = 0; i < n; i++) {
-                tracer.trace(x + (i + 0.5) / n, y + (j + 0.5) / n, sample);
+                count += tracer.trace(x + (i + 0.5) / n, y + (j + 0.5) / n, sample) ? 1 : 0;
                 sample.clamp();
-                colour.add(sample);
+                colour.add(sample);                           // a point that does not count is black
             }
         }
-        colour.scale(1.0 / (n * n));
+        return Sampler.mean(colour, count, n * n);
     }
 
     @Override

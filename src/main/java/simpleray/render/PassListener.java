@@ -6,9 +6,10 @@ public interface PassListener extends RenderListener {
      * Called when some pixels are rendered.
      *
      * @param run the pixels
-     * @param rgb red, green and blue of each, linear and not clamped; the listener may keep and change it
+     * @param light red, green and blue of each, linear and not clamped, and its alpha if the picture has any; the listener may keep and change
+     *     it
      */
-    void runFinished(PixelRun run, double[] rgb);
+    void runFinished(PixelRun run, double[] light);
 
     /** Called when the first pass is finished, and the whole is there in coarse blocks. */
     void coarseFinished();

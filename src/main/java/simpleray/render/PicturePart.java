@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Map;
 import simpleray.image.PictureText;
 import simpleray.image.png.PictureFormatException;
+import simpleray.image.png.PngRowReader;
 import simpleray.image.png.PngSeal;
 import simpleray.scene.PictureScene;
 import simpleray.scene.SourceText;
@@ -19,10 +20,11 @@ import simpleray.scene.SourceText;
  *
  * @param band the band
  * @param whole the rectangle that was cut into bands
+ * @param channels the numbers of a pixel, {@link simpleray.image.Picture#RGB} or {@link simpleray.image.Picture#RGBA}
  * @param identity all that decides the whole picture's file, as names and values
  * @param texts what the whole picture's file tells
  */
-public record PicturePart(Band band, Region whole, Map<String, String> identity, List<PictureText> texts) {
+public record PicturePart(Band band, Region whole, int channels, Map<String, String> identity, List<PictureText> texts) {
     /**
      * Reads what a part tells, and makes sure that it is as it was written.
      *
@@ -47,8 +49,14 @@ public record PicturePart(Band band, Region whole, Map<String, String> identity,
         List<String> options = new ArrayList<>(told.others());
         options.removeIf(line -> line.startsWith(Provenance.BAND));
         options.addAll(told.settings().lines().lines().toList());
-        return new PicturePart(request.band(), request.whole(request.settings()), identity(told.text(), options),
+        return new PicturePart(request.band(), request.whole(request.settings()), channels(path), identity(told.text(), options),
             PictureScene.texts(told.software(), String.join("\n", options) + '\n', told.text()));
+    }
+
+    private static int channels(Path path) throws IOException {
+        try (PngRowReader rows = new PngRowReader(path)) {
+            return rows.channels();
+        }
     }
 
     private static Map<String, String> identity(SourceText text, List<String> options) {

@@ -92,25 +92,25 @@ final class ProgressiveRenderer {
         }
     }
 
-    /** Computes the colour of a pixel. */
+    /** Computes the colour of a pixel, and its alpha. */
     private interface Pixels {
-        void find(int x, int y, Colour colour);
+        double find(int x, int y, Colour colour);
     }
 
     private Pixels sampler(Tracer tracer, int samples, boolean preview) {
         if (previews == null) {
             return new GridSampler(tracer, samples)::pixel;
         }
-        AdaptiveSampler sampler = new AdaptiveSampler(tracer, picture.width(), picture.height(), previews);
+        AdaptiveSampler sampler = new AdaptiveSampler(tracer, picture.width(), picture.height(), picture.channels(), previews);
         return preview ? sampler::first : sampler::pixel;
     }
 
     private void trace(PixelRun run, Pixels sampler) {
-        double[] rgb = new double[3 * run.count()];
+        double[] light = new double[picture.channels() * run.count()];
         Throwable fault = fault(run);
         if (fault == null) {
             try {
-                trace(run, sampler, rgb);
+                trace(run, sampler, light);
             } catch (RuntimeException | Error e) {
                 fault = e;
             }
@@ -122,8 +122,8 @@ final class ProgressiveRenderer {
             fail(run, fault);
             return;
         }
-        keep(run, rgb);
-        listener.runFinished(run, rgb);
+        keep(run, light);
+        listener.runFinished(run, light);
         if (!run.preview() && missing.addAndGet(run.y(), -run.count()) == 0) {
             double[] row = rows.getAndSet(run.y(), null);
             if (wholeRows) {
@@ -153,22 +153,21 @@ final class ProgressiveRenderer {
         return fault;
     }
 
-    private void trace(PixelRun run, Pixels sampler, double[] rgb) {
+    private void trace(PixelRun run, Pixels sampler, double[] light) {
         Colour colour = new Colour();
-        int i = 0;
-        for (int x = run.x(); x < run.end() && !stopped; x += run.step()) {
+        int pixel = picture.channels();
+        for (int x = run.x(), i = 0; x < run.end() && !stopped; x += run.step(), i += pixel) {
             awaitResumed();
-            sampler.find(x, run.y(), colour);
-            rgb[i++] = colour.r;
-            rgb[i++] = colour.g;
-            rgb[i++] = colour.b;
+            double alpha = sampler.find(x, run.y(), colour);
+            Sampler.store(colour, alpha, light, i, pixel);
         }
     }
 
-    private void keep(PixelRun run, double[] rgb) {
+    private void keep(PixelRun run, double[] light) {
         double[] row = row(run);
-        for (int x = run.x(), i = 0; x < run.end(); x += run.step(), i += 3) {
-            System.arraycopy(rgb, i, row, 3 * x, 3);
+        int pixel = picture.channels();
+        for (int x = run.x(), i = 0; x < run.end(); x += run.step(), i += pixel) {
+            System.arraycopy(light, i, row, pixel * x, pixel);
         }
     }
 
@@ -177,13 +176,13 @@ final class ProgressiveRenderer {
         if (run.preview()) {
             synchronized (previews) {
                 if (previews[y] == null) {
-                    previews[y] = new double[3 * picture.width()];
+                    previews[y] = new double[picture.channels() * picture.width()];
                 }
                 return previews[y];
             }
         }
         if (rows.get(y) == null) {
-            rows.compareAndSet(y, null, new double[3 * picture.width()]);
+            rows.compareAndSet(y, null, new double[picture.channels() * picture.width()]);
         }
         return rows.get(y);
     }

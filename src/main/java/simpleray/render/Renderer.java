@@ -78,7 +78,7 @@ public final class Renderer {
         region = settings.region() == null ? Region.whole(camera.width(), camera.height()) : settings.region();
         region.requireWithin(camera.width(), camera.height());
         firstPoints = settings.samples() == RenderSettings.ADAPTIVE ? AdaptiveSampler.rows(camera.height(), settings.threads()) : null;
-        picture = new Picture(region.width(), region.height());
+        picture = new Picture(region.width(), region.height(), scene.settings.isTransparent() ? Picture.RGBA : Picture.RGB);
         rows = new ScanlineQueue(picture.height(), settings.threads());
     }
 
@@ -118,7 +118,7 @@ public final class Renderer {
     /** {@return the most memory that rendering needs, in bytes, if the listener releases each row} */
     public long bytesNeeded() {
         int kept = firstPoints == null ? 0 : firstPoints.length();   // which include most neighbours of each thread's row
-        return (long) (threads() + kept + earlyRows()) * Picture.bytesNeeded(picture.width(), 1);
+        return (long) (threads() + kept + earlyRows()) * Picture.bytesNeeded(picture.width(), 1, picture.channels());
     }
 
     /**
@@ -273,7 +273,7 @@ public final class Renderer {
             }
         }
         int width = picture.width();
-        double[][] lights = new double[count][3 * width];
+        double[][] lights = new double[count][picture.channels() * width];
         Colour colour = new Colour();
         long begin = System.nanoTime();
         int pixels = 0;
@@ -317,7 +317,7 @@ public final class Renderer {
 
     private Sampler sampler(Tracer tracer) {
         return firstPoints == null ? new GridSampler(tracer, settings.samples())
-            : new AdaptiveSampler(tracer, camera.width(), camera.height(), region, firstPoints);
+            : new AdaptiveSampler(tracer, camera.width(), camera.height(), picture.channels(), region, firstPoints);
     }
 
     private void run(Consumer<Tracers> work, Tracers tracers) {
@@ -339,7 +339,7 @@ public final class Renderer {
             double[] row = kept(y, own);
             boolean isNew = row == null;
             if (isNew) {
-                row = spare == null ? new double[3 * picture.width()] : spare;
+                row = spare == null ? new double[picture.channels() * picture.width()] : spare;
                 spare = row;
                 renderRow(y, row, own);
             }
@@ -362,9 +362,7 @@ public final class Renderer {
     }
 
     private void renderPixel(int x, int y, double[] light, Sampler own, Colour colour) {
-        own.pixel(region.x() + x, region.y() + y, colour);
-        light[3 * x] = colour.r;
-        light[3 * x + 1] = colour.g;
-        light[3 * x + 2] = colour.b;
+        double alpha = own.pixel(region.x() + x, region.y() + y, colour);
+        Sampler.store(colour, alpha, light, picture.channels() * x, picture.channels());
     }
 }

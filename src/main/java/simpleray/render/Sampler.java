@@ -1,5 +1,6 @@
 package simpleray.render;
 
+import simpleray.image.Picture;
 import simpleray.math.Colour;
 
 /**
@@ -11,9 +12,10 @@ interface Sampler {
      *
      * @param x the column, 0 at the left
      * @param y the row, 0 at the top
-     * @param colour gets the colour, linear
+     * @param colour gets the colour, linear: the mean of the points that count
+     * @return the share of the points that count, from 0 to 1: {@link Tracer#trace}
      */
-    void pixel(int x, int y, Colour colour);
+    double pixel(int x, int y, Colour colour);
 
     /**
      * Returns the points of a pixel whose colours {@link #pixel} adds.
@@ -23,4 +25,37 @@ interface Sampler {
      * @return two numbers for each point, in the order of addition: pixels from the left edge and from the top edge
      */
     double[] points(int x, int y);
+
+    /**
+     * Makes the mean of a sum.
+     *
+     * @param sum the sum of the colours of the points that count; becomes their mean
+     * @param count how many these are; if none, the sum is black and stays so
+     * @param points how many points there are
+     * @return the share of the points that count
+     */
+    static double mean(Colour sum, int count, int points) {
+        if (count > 0) {
+            sum.scale(1.0 / count);
+        }
+        return (double) count / points;
+    }
+
+    /**
+     * Stores a pixel in a row of a picture.
+     *
+     * @param colour its colour
+     * @param alpha its alpha
+     * @param row the row
+     * @param at where in it the pixel begins
+     * @param channels the numbers of a pixel; alpha is the fourth if there are four
+     */
+    static void store(Colour colour, double alpha, double[] row, int at, int channels) {
+        row[at] = colour.r;
+        row[at + 1] = colour.g;
+        row[at + 2] = colour.b;
+        if (channels == Picture.RGBA) {
+            row[at + Picture.RGB] = alpha;
+        }
+    }
 }

@@ -113,13 +113,20 @@ public final class StoryText {
 
     private void tell(PixelStory pixel) {
         say("pixel " + pixel.x() + ',' + pixel.y() + " of " + pixel.width() + 'x' + pixel.height() + ", stage " + pixel.stage() + ": "
-            + colour(pixel.colour()) + ", levels " + levels(pixel.colour()));
+            + colour(pixel.colour()) + ", levels " + levels(pixel.colour()) + alpha(pixel));
         level++;
         if (pixel.mean()) {
-            say("the mean of " + pixel.samples().size() + " samples, each brought into 0 to 1");
+            long count = pixel.samples().stream().filter(PixelStory.Sample::counts).count();
+            say("the mean of " + (count < pixel.samples().size() ? count + " of " : "") + pixel.samples().size()
+                + " samples, each brought into 0 to 1");
         }
         for (PixelStory.Sample sample : pixel.samples()) {
-            say("sample at " + number(sample.px()) + ',' + number(sample.py()) + ": " + colour(sample.colour()));
+            String point = "sample at " + number(sample.px()) + ',' + number(sample.py()) + ": ";
+            if (!sample.counts()) {
+                say(point + "hits nothing: transparent");
+                continue;
+            }
+            say(point + colour(sample.colour()));
             level++;
             if (pixel.stage().isView()) {
                 say("the view " + pixel.stage() + " shows no light; this is the story of stage " + Stage.FINAL);
@@ -128,6 +135,14 @@ public final class StoryText {
             level--;
         }
         level--;
+    }
+
+    private static String alpha(PixelStory pixel) {
+        if (pixel.alpha().isEmpty()) {
+            return "";
+        }
+        double alpha = pixel.alpha().getAsDouble();
+        return alpha == 0 ? ", transparent" : ", alpha " + number(alpha) + ", level " + Picture.level(alpha);
     }
 
     private void tell(RayTree story) {

@@ -16,6 +16,7 @@ final class Tracer {
     private final Integrator integrator;
     private final Camera camera;
     private final RenderSettings settings;
+    private final boolean transparent;
     private final Ray ray = new Ray();
 
     /**
@@ -39,10 +40,19 @@ final class Tracer {
             : new WhittedIntegrator(scene, intersector, stage.terms(), stats, null);
     }
 
-    Tracer(Integrator integrator, Camera camera, RenderSettings settings) {
+    /**
+     * Creates a tracer.
+     *
+     * @param integrator computes the colours of rays
+     * @param camera shoots them
+     * @param settings has their depth
+     * @param transparent whether the picture is transparent where they hit nothing
+     */
+    Tracer(Integrator integrator, Camera camera, RenderSettings settings, boolean transparent) {
         this.integrator = integrator;
         this.camera = camera;
         this.settings = settings;
+        this.transparent = transparent;
     }
 
     /**
@@ -51,9 +61,10 @@ final class Tracer {
      * @param px pixels from the left edge
      * @param py pixels from the top edge
      * @param colour gets the colour, linear and not clamped
+     * @return whether it counts for the colour of its pixel: not where the picture is transparent; the colour is black there
      */
-    void trace(double px, double py, Colour colour) {
+    boolean trace(double px, double py, Colour colour) {
         camera.through(px, py, ray);
-        integrator.trace(ray, colour, settings.depth());
+        return integrator.trace(ray, colour, settings.depth()) || !transparent;
     }
 }

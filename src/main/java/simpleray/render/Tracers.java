@@ -55,7 +55,7 @@ final class Tracers {
 
     private Tracer tracer(CompiledScene ready, RayStats stats) {
         Intersector intersector = Tracer.intersector(scene, ready, stats);
-        return new Tracer(Tracer.integrator(scene, intersector, settings.stage(), stats), camera, settings);
+        return new Tracer(Tracer.integrator(scene, intersector, settings.stage(), stats), camera, settings, scene.settings.isTransparent());
     }
 
     private CompiledScene listed() {

@@ -28,10 +28,12 @@ public final class SceneSettings {
     public static final int DEFAULT_DEPTH = 10;
     /** The most samples of a pixel, along each side. */
     public static final int MAX_SAMPLES = 16;
+    /** The background that is none: rays that hit nothing are black, and the picture has alpha. To be compared by identity. */
+    public static final Colour TRANSPARENT = new Colour();
 
     private static final String EITHER = "either camera, or parallel, or window and cop (up goes with the first two)";
 
-    /** The colour of a ray that hits nothing. */
+    /** The colour of a ray that hits nothing, or {@link #TRANSPARENT}. */
     public Colour background;
     /** The viewport window of {@link SimpleCamera}. */
     public Window window;
@@ -141,6 +143,11 @@ public final class SceneSettings {
     /** {@return whether the camera has keys} */
     private boolean hasCameraKeys() {
         return keys != null && keys.stream().anyMatch(key -> key.thing().kind() == Key.Kind.CAMERA);
+    }
+
+    /** {@return whether the picture has alpha, and is transparent where its rays hit nothing} */
+    public boolean isTransparent() {
+        return background == TRANSPARENT;
     }
 
     /** {@return whether a setting of the camera is set} */

@@ -30,6 +30,9 @@ import simpleray.text.SceneWriter;
  * @param <T> the type of its value
  */
 public abstract class Setting<T> {
+    /** The background that is none. */
+    public static final String NONE = "none";
+
     /** The size of the picture. */
     public static final Setting<Resolution> RESOLUTION = new Setting<>("resolution", "--size", "WxH",
         "Width and height in pixels, 1 to " + SceneSettings.MAX_RESOLUTION + " each (default: %s).",
@@ -235,13 +238,16 @@ public abstract class Setting<T> {
 
     /** The colour of a ray that hits nothing. */
     public static final Setting<Colour> BACKGROUND = new Setting<>("background", "--background", "R,G,B",
-        "The colour where nothing is hit, 0 to 1 each (default: %s).", new Colour()) {
+        "The colour where nothing is hit, 0 to 1 each (default: %s); or none: black for rays, and transparent in the picture.", new Colour()) {
         @Override Colour get(SceneSettings settings) { return settings.background; }
         @Override public void set(SceneSettings settings, Colour value) { settings.background = value; }
-        @Override List<?> words(Colour value) { return List.of(value.r, value.g, value.b); }
+        @Override List<?> words(Colour c) { return c == SceneSettings.TRANSPARENT ? List.of(NONE) : List.of(c.r, c.g, c.b); }
 
         @Override
         Colour read(SceneReader is) throws IOException {
+            if (is.takeKeyword(Set.of(NONE)) != null) {
+                return SceneSettings.TRANSPARENT;
+            }
             Colour colour = new Colour();
             colour.read(is);
             return colour;
@@ -249,7 +255,10 @@ public abstract class Setting<T> {
 
         @Override
         public Colour parse(String value) {
-            double[] n = numbers(value, 3, "three numbers such as 0.1,0.2,0.4");
+            if (value.equals(NONE)) {
+                return SceneSettings.TRANSPARENT;
+            }
+            double[] n = numbers(value, 3, "none, or three numbers such as 0.1,0.2,0.4");
             if (n[0] < 0 || n[1] < 0 || n[2] < 0) {
                 throw expected("numbers of 0 or more", value);
             }

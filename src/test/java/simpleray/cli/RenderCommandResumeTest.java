@@ -70,7 +70,7 @@ class RenderCommandResumeTest {
         read = read.settings.frames == null ? read : read.still(1);
         Picture picture = request.renderer(read).picture();
         Map<String, String> identity = PictureIdentity.of(Main.version(), request, read);
-        try (Checkpoint checkpoint = Checkpoint.create(file, identity, picture.width(), picture.height())) {
+        try (Checkpoint checkpoint = Checkpoint.create(file, identity, 3 * picture.width(), picture.height())) {
             for (int y : rows.toArray()) {
                 checkpoint.put(y, levels, 3 * picture.width() * y);
             }
@@ -173,7 +173,7 @@ class RenderCommandResumeTest {
         keep(part, false, new byte[3 * SIDE * SIDE], IntStream.range(0, 5));
         String busy = part + ": is being written by another run of SimpleRay: wait until it has ended, or choose another name";
 
-        try (Checkpoint first = Checkpoint.open(part, Checkpoint.identity(part), SIDE, SIDE)) {
+        try (Checkpoint first = Checkpoint.open(part, Checkpoint.identity(part), 3 * SIDE, SIDE)) {
             assertFails(render("--resume"), ExitCode.BUSY, busy);
             assertFails(render("--restart"), ExitCode.BUSY, busy);
             assertFails(render("--restart", "--checkpoint", part.toString()), ExitCode.BUSY, busy);
@@ -241,7 +241,7 @@ class RenderCommandResumeTest {
 
     @Test
     void theRowsOfAnotherVersionAreRefused() throws IOException {
-        Checkpoint.create(part, Map.of("version", "0.0.1"), SIDE, SIDE).close();
+        Checkpoint.create(part, Map.of("version", "0.0.1"), 3 * SIDE, SIDE).close();
 
         assertThat(render("--resume").err()).startsWith("simpleray: " + part + " holds rows of another picture: version 0.0.1 (now "
             + Main.version() + "), no scene, ");

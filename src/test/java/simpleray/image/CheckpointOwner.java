@@ -25,7 +25,7 @@ public final class CheckpointOwner {
         int owner = 0;
         for (int i = 0; i < ROUNDS || owner == 0; i++) {
             try {
-                Checkpoint checkpoint = Checkpoint.create(path, Map.of("version", "1"), 2, 1);
+                Checkpoint checkpoint = Checkpoint.create(path, Map.of("version", "1"), 6, 1);
                 Files.createFile(owned);
                 checkpoint.put(0, new byte[6], 0);
                 if (!Map.of("version", "1").equals(Checkpoint.identity(path))) {

@@ -50,11 +50,11 @@ class CheckpointTest {
     }
 
     private Checkpoint create() throws IOException {
-        return Checkpoint.create(path, identity, WIDTH, HEIGHT);
+        return Checkpoint.create(path, identity, ROW, HEIGHT);
     }
 
     private Checkpoint open() throws IOException {
-        return Checkpoint.open(path, identity, WIDTH, HEIGHT);
+        return Checkpoint.open(path, identity, ROW, HEIGHT);
     }
 
     /** Makes a checkpoint of the rows 3, 0 and 4. */
@@ -215,7 +215,7 @@ class CheckpointTest {
 
     @Test
     void aRowThatThePictureDoesNotHaveIsNone() throws IOException {
-        try (Checkpoint checkpoint = Checkpoint.create(path, identity, WIDTH, HEIGHT + 1)) {
+        try (Checkpoint checkpoint = Checkpoint.create(path, identity, ROW, HEIGHT + 1)) {
             checkpoint.put(HEIGHT, row(HEIGHT), 0);
             checkpoint.put(0, row(0), 0);
         }
@@ -279,7 +279,7 @@ class CheckpointTest {
     void whatIsAnotherPicturesNowOrNoPicturesIsNotOpened() throws IOException {
         three();
         Map<String, String> before = Map.of("version", "1.1");
-        assertThatThrownBy(() -> Checkpoint.open(path, before, WIDTH, HEIGHT)).isInstanceOf(FileInUseException.class);
+        assertThatThrownBy(() -> Checkpoint.open(path, before, ROW, HEIGHT)).isInstanceOf(FileInUseException.class);
         assertHolds(0, 3, 4);
 
         Files.delete(path);

@@ -20,7 +20,7 @@ class CheckpointTextTest {
 
     private Map<String, String> comesBack(Map<String, String> identity) throws IOException {
         Path path = folder.resolve("picture.part");
-        Checkpoint.create(path, identity, 2, 5).close();
+        Checkpoint.create(path, identity, 6, 5).close();
         return Checkpoint.identity(path);
     }
 

@@ -117,8 +117,8 @@ class PictureTest {
     @Test
     void memoryIsThreeDoublesAPixelAndALittleARow() {
         // 300 · (200 · 24 + 24)
-        assertThat(Picture.bytesNeeded(200, 300)).isEqualTo(1_447_200);
+        assertThat(Picture.bytesNeeded(200, 300, Picture.RGB)).isEqualTo(1_447_200);
         // 65535 · (65535 · 24 + 24): more than an int holds
-        assertThat(Picture.bytesNeeded(65535, 65535)).isEqualTo(103_077_642_240L);
+        assertThat(Picture.bytesNeeded(65535, 65535, Picture.RGB)).isEqualTo(103_077_642_240L);
     }
 }

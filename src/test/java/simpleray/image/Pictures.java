@@ -24,6 +24,16 @@ public final class Pictures {
         return picture;
     }
 
+    /** {@return a picture of random levels with random alpha, each pixel at least a little opaque} */
+    public static Picture alphaNoise(int width, int height, long seed) {
+        Random random = new Random(seed);
+        Picture picture = new Picture(width, height, Picture.RGBA);
+        for (int y = 0; y < height; y++) {
+            picture.setRow(y, random.doubles(4L * width, 0.01, 1).toArray());
+        }
+        return picture;
+    }
+
     /** {@return a picture of one colour} */
     public static Picture plain(int width, int height, double light) {
         Picture picture = new Picture(width, height);

@@ -5,6 +5,7 @@ import static simpleray.text.SceneText.reader;
 
 import java.io.IOException;
 import java.util.List;
+import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
 import simpleray.math.Colour;
 import simpleray.math.Point;
@@ -199,8 +200,8 @@ class StoryTextTest {
         RayTree.Hit hit = new RayTree.Hit(new RayTree.Thing(1, "plane", 0), 1, new Point(), new Vector(0, 0, 1), true, new Material(),
             black, black, List.of(area), black, black, null, null);
         RayTree story = new RayTree(new Ray(), 4, true, hit, black);
-        PixelStory.Sample sample = new PixelStory.Sample(0, 0, false, black, story);
-        assertThat(StoryText.of(new PixelStory(0, 0, 1, 1, Stage.FINAL, false, List.of(sample), black))).contains("""
+        PixelStory.Sample sample = new PixelStory.Sample(0, 0, false, true, black, story);
+        assertThat(StoryText.of(new PixelStory(0, 0, 1, 1, Stage.FINAL, false, List.of(sample), black, OptionalDouble.empty()))).contains("""
                     of its 4 points: 0 reach the point, 4 blocked
                     too much is between to be told
             """.indent(0)).contains("\n        its points are not told any more: the pixel has too many of them\n");
@@ -212,7 +213,7 @@ class StoryTextTest {
         RayTree story = new RayTree(new Ray(), 4, false, null, odd);
 
         assertThat(StoryText.of(new PixelStory(1, 2, 3, 4, Stage.FINAL, false,
-            List.of(new PixelStory.Sample(1.5, Double.POSITIVE_INFINITY, false, odd, story)), odd))).isEqualTo("""
+            List.of(new PixelStory.Sample(1.5, Double.POSITIVE_INFINITY, false, true, odd, story)), odd, OptionalDouble.empty()))).isEqualTo("""
             pixel 1,2 of 3x4, stage final: 0.333333 1E-7 1.23457E+10, levels 85 0 255
               sample at 1.5,Infinity: 0.333333 1E-7 1.23457E+10
                 ray from (0 0 0) along (0 0 -1), depth 4: 0.333333 1E-7 1.23457E+10

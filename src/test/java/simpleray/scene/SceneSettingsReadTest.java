@@ -1,6 +1,7 @@
 package simpleray.scene;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static simpleray.text.SceneText.reader;
 import static simpleray.text.SceneText.written;
 
@@ -58,6 +59,42 @@ class SceneSettingsReadTest {
         SceneSettings samples = new SceneSettings();
         samples.samples = 4;
         assertReads("samples 4", samples);
+    }
+
+    @Test
+    void aBackgroundMayBeNone() throws IOException {
+        SceneSettings none = read("background none # to be cut out\ndepth 2");
+
+        assertThat(none.isTransparent()).isTrue();
+        assertThat(none.depth).isEqualTo(2);
+        assertThat(none.lines()).isEqualTo("background none\ndepth 2\n");
+        assertThat(read("background\nnone").isTransparent()).isTrue();
+        assertThat(SceneSettings.of("background none\n", "options").isTransparent()).isTrue();
+        assertThat(read("background 0 0 0").isTransparent()).isFalse();
+        assertThat(new SceneSettings().isTransparent()).isFalse();
+        assertThat(Setting.BACKGROUND.identity(none)).isEqualTo("none");
+        assertThat(Setting.BACKGROUND.text(none)).isEqualTo("none");
+        assertThat(Setting.BACKGROUND.parse("none")).isSameAs(SceneSettings.TRANSPARENT);
+        assertThat(SceneSettings.isSetting("background none")).isTrue();
+    }
+
+    @Test
+    void anotherWordIsNoBackground() {
+        assertThatThrownBy(() -> read("background nothing")).hasMessageStartingWith(
+            "<stdin>:2:12: error: expected background's red, found 'nothing'");
+        assertThatThrownBy(() -> read("background none 0")).hasMessageContaining("<stdin>:2:17: error: expected");
+        assertThatThrownBy(() -> Setting.BACKGROUND.parse("None")).hasMessage(
+            "expected none, or three numbers such as 0.1,0.2,0.4, found 'None'");
+    }
+
+    @Test
+    void theOptionWinsOverTheFile() throws IOException {
+        SceneSettings none = read("background none");
+        SceneSettings red = read("background 1 0 0");
+
+        assertThat(none.under(red).isTransparent()).isFalse();
+        assertThat(red.under(none).isTransparent()).isTrue();
+        assertThat(none.under(new SceneSettings()).isTransparent()).isTrue();
     }
 
     @Test

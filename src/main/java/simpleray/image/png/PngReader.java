@@ -19,20 +19,24 @@ import javax.imageio.stream.ImageInputStream;
 import simpleray.image.Picture;
 
 /**
- * Reads the pixels of a PNG file row by row, as red, green and blue from 0 to 255: the upper 8 of 16 bits, greys three times, without
- * transparency. ImageIO decodes them, in strips that fit into memory; the file's checksums, which it ignores, are checked first.
- * <em>Mutable,</em> for one thread.
+ * Reads the pixels of a PNG file row by row, as red, green and blue from 0 to 255, and alpha if the file has any: the upper 8 of 16 bits,
+ * greys three times. What is wholly transparent is black, since nothing of its colour is seen. ImageIO decodes them, in strips that fit into
+ * memory; the file's checksums, which it ignores, are checked first. <em>Mutable,</em> for one thread.
  */
 public final class PngReader implements Closeable {
     /** A strip takes at most this part of the heap. For each strip the file is decoded from its beginning. */
     private static final int PART_OF_HEAP = 8;
     private static final int MAX_PIXEL_BYTES = 8;             // red, green, blue and opacity of 16 bits
+    /** The chunk that names a colour, or colours of a palette, as transparent. */
+    private static final String TRANSPARENCY = "tRNS";
+    private static final int OPAQUE = 255;
 
     private final ImageInputStream in;
     private final PngChunks chunks;
     private final ImageReader reader;
     private final int width;
     private final int height;
+    private final int channels;
     private final int stripRows;
     private BufferedImage strip;                              // the rows before end; null for none
     private int[] samples;                                    // of a row
@@ -52,8 +56,9 @@ public final class PngReader implements Closeable {
                 return in.read(bytes, from, most);
             }
         }, file).begin();
-        while (chunks.next() != null) {
-            continue;                                         // checks their checksums
+        boolean transparent = false;
+        for (String name = chunks.next(); name != null; name = chunks.next()) {   // checks their checksums
+            transparent |= name.equals(TRANSPARENCY);
         }
         in.seek(0);
         reader = ImageIO.getImageReadersByFormatName("png").next();
@@ -61,6 +66,7 @@ public final class PngReader implements Closeable {
         try {
             width = reader.getWidth(0);
             height = reader.getHeight(0);
+            channels = transparent || reader.getRawImageType(0).getColorModel().hasAlpha() ? Picture.RGBA : Picture.RGB;
         } catch (IIOException | RuntimeException e) {
             throw damaged("its header cannot be read", e);
         }
@@ -130,6 +136,11 @@ public final class PngReader implements Closeable {
         return height;
     }
 
+    /** {@return the numbers of a pixel: {@link Picture#RGB}, or {@link Picture#RGBA} if the file has alpha} */
+    public int channels() {
+        return channels;
+    }
+
     /**
      * Estimates the memory that reading takes.
      *
@@ -149,7 +160,7 @@ public final class PngReader implements Closeable {
     /**
      * Reads the next row.
      *
-     * @return red, green and blue of each pixel from the left; a new array
+     * @return red, green and blue of each pixel from the left, and its alpha if the file has any; a new array
      * @throws PictureFormatException if the file is damaged
      * @throws IOException if it cannot be read
      */
@@ -179,17 +190,27 @@ public final class PngReader implements Closeable {
     }
 
     private byte[] levels() {
-        byte[] rgb = new byte[3 * width];
+        byte[] levels = new byte[channels * width];
         int bands = strip.getRaster().getNumBands();
+        boolean alpha = strip.getColorModel().hasAlpha();
         int unused = strip.getSampleModel().getSampleSize(0) - Byte.SIZE;   // the lower bits of 16
         for (int x = 0; x < width; x++) {
             int first = x * bands;
-            for (int c = 0; c < 3; c++) {
-                rgb[3 * x + c] = (byte) (strip.getColorModel() instanceof IndexColorModel palette
-                    ? palette.getRGB(samples[first]) >> 16 - 8 * c : samples[bands < 3 ? first : first + c] >> unused);
+            int at = channels * x;
+            IndexColorModel palette = strip.getColorModel() instanceof IndexColorModel indexed ? indexed : null;
+            if (channels == Picture.RGBA) {
+                levels[at + Picture.RGB] = (byte) (!alpha ? OPAQUE
+                    : palette != null ? palette.getAlpha(samples[first]) : samples[first + bands - 1] >> unused);
+                if (levels[at + Picture.RGB] == 0) {
+                    continue;
+                }
+            }
+            for (int c = 0; c < Picture.RGB; c++) {
+                levels[at + c] = (byte) (palette != null ? palette.getRGB(samples[first]) >> 16 - 8 * c
+                    : samples[bands < Picture.RGB ? first : first + c] >> unused);
             }
         }
-        return rgb;
+        return levels;
     }
 
     @Override

@@ -23,7 +23,7 @@ public final class PngRowReader implements Closeable {
     private static final String HEADER = "IHDR";
     private static final String DATA = "IDAT";
     private static final int SIDES = 2 * Integer.BYTES;
-    private static final int LENGTH = SIDES + PngWriter.FORMAT.length;
+    private static final int LENGTH = SIDES + PngWriter.format(Picture.RGB).length;
     private static final int BUFFER = 1 << 16;
 
     private final InputStream file;
@@ -32,6 +32,7 @@ public final class PngRowReader implements Closeable {
     private final InputStream data;
     private final int width;
     private final int height;
+    private final int channels;
     private byte[] above;                                     // null in the first row
     private int next;
 
@@ -50,7 +51,9 @@ public final class PngRowReader implements Closeable {
             ByteBuffer sides = ByteBuffer.wrap(Arrays.copyOf(header, SIDES));
             width = sides.getInt();
             height = sides.getInt();
-            if (header.length < LENGTH || !Arrays.equals(header, SIDES, LENGTH, PngWriter.FORMAT, 0, PngWriter.FORMAT.length)
+            byte[] format = Arrays.copyOfRange(header, Math.min(SIDES, header.length), header.length);
+            channels = Arrays.equals(format, PngWriter.format(Picture.RGBA)) ? Picture.RGBA : Picture.RGB;
+            if (!Arrays.equals(format, PngWriter.format(channels))
                 || Math.min(width, height) < 1 || Math.max(width, height) > Picture.LONGEST_SIDE) {
                 throw foreign();
             }
@@ -95,15 +98,20 @@ public final class PngRowReader implements Closeable {
         return height;
     }
 
+    /** {@return the numbers of a pixel: {@link Picture#RGB} or {@link Picture#RGBA}} */
+    public int channels() {
+        return channels;
+    }
+
     /**
      * Reads the next row.
      *
-     * @return red, green and blue of each pixel from the left, 0 to 255 each; not to be changed
+     * @return red, green and blue of each pixel from the left, and its alpha if there is any, 0 to 255 each; not to be changed
      * @throws PictureFormatException if the file is damaged, or written by another program
      * @throws IOException if it cannot be read
      */
     public byte[] next() throws IOException {
-        byte[] row = new byte[PngStrip.PIXEL * width];
+        byte[] row = new byte[channels * width];
         int filter = read();
         try {
             if (data.readNBytes(row, 0, row.length) < row.length) {
@@ -113,8 +121,8 @@ public final class PngRowReader implements Closeable {
             throw damaged(e);
         }
         if (filter == PngStrip.SUB) {
-            for (int i = PngStrip.PIXEL; i < row.length; i++) {
-                row[i] += row[i - PngStrip.PIXEL];
+            for (int i = channels; i < row.length; i++) {
+                row[i] += row[i - channels];
             }
         } else if (filter == PngStrip.UP && above != null) {
             for (int i = 0; i < row.length; i++) {

@@ -11,17 +11,19 @@ import simpleray.image.Picture;
  * at this level than choosing among all of PNG's filters for each row. <em>Mutable</em>; different threads may set different rows.
  */
 final class PngStrip {
-    static final int PIXEL = 3;
     /** Bytes of a row before its levels: the filter's number. */
     private static final int HEAD = 1;
     /** The filters of the first row, and of the others. */
     static final byte SUB = 1;
     static final byte UP = 2;
     private static final int USUAL_GAIN = 4;
+    /** The number of bytes that are subtracted in one go. */
+    private static final int AT_ONCE = 6;
 
     private final int count;
     private byte[][] rows;                                    // null once they are compressed
     private final AtomicInteger missing;
+    private final int pixel;                                  // bytes of a pixel
     private final int bytes;                                  // of a row
     private int sum;
 
@@ -29,17 +31,19 @@ final class PngStrip {
      * Begins a strip.
      *
      * @param rows its number of rows
+     * @param channels the numbers of a pixel
      */
-    PngStrip(int rows, int width) {
+    PngStrip(int rows, int width, int channels) {
         count = rows;
         this.rows = new byte[rows][];
         missing = new AtomicInteger(rows);
-        bytes = bytes(width);
+        pixel = channels;
+        bytes = bytes(width, channels);
     }
 
     /** {@return the number of bytes that a row takes before it is compressed} */
-    static int bytes(int width) {
-        return HEAD + PIXEL * width;
+    static int bytes(int width, int channels) {
+        return HEAD + channels * width;
     }
 
     /**
@@ -52,7 +56,7 @@ final class PngStrip {
      * @return whether it was the last missing one
      */
     boolean put(int i, Picture picture, int y, RowSink sink) {
-        byte[] row = new byte[HEAD + (picture.width() + 1) / 2 * 2 * PIXEL];   // for pairs of pixels, see subtract()
+        byte[] row = new byte[HEAD + (bytes - HEAD + AT_ONCE - 1) / AT_ONCE * AT_ONCE];   // see subtract()
         picture.levels(y, row, HEAD);
         if (sink != null) {
             sink.row(y, row, HEAD);                           // before another thread filters it
@@ -107,14 +111,14 @@ final class PngStrip {
         }
         byte[] first = rows[0];
         byte[] left = new byte[first.length];                 // the row moved a pixel to the right, black before it
-        System.arraycopy(first, HEAD, left, HEAD + PIXEL, bytes - HEAD - PIXEL);
+        System.arraycopy(first, HEAD, left, HEAD + pixel, bytes - HEAD - pixel);
         subtract(first, left);
         first[0] = SUB;
     }
 
-    /** Two pixels at a time: a shorter loop takes longer where it is not yet compiled, and many times as long to compile. */
+    /** Six bytes at a time: a shorter loop takes longer where it is not yet compiled, and many times as long to compile. */
     private static void subtract(byte[] row, byte[] prediction) {
-        for (int i = HEAD; i < row.length; i += 2 * PIXEL) {
+        for (int i = HEAD; i < row.length; i += AT_ONCE) {
             row[i] -= prediction[i];
             row[i + 1] -= prediction[i + 1];
             row[i + 2] -= prediction[i + 2];

@@ -8,15 +8,16 @@ import simpleray.image.Picture;
 import simpleray.image.PictureText;
 
 /**
- * Writes a picture as PNG while its rows are being finished, in any order and by any threads: RGB, 8 bits each (W3C, "Portable Network
+ * Writes a picture as PNG while its rows are being finished, in any order and by any threads: RGB or RGBA, 8 bits each (W3C, "Portable Network
  * Graphics Specification", second edition, 2003). docs/decisions/0002 tells why ImageIO does not do it. <em>Mutable</em>; any thread may call.
  *
  * <p>The picture is cut into strips. The thread that adds a strip's last row compresses the strip, and writes it if it is the next one. The
  * bytes depend on the picture alone.
  */
 public final class PngWriter {
-    /** Behind width and height in the header. */
-    static final byte[] FORMAT = {8, 2, 0, 0, 0};             // bits, RGB, deflate, the five filters, not interlaced
+    /** Behind width and height in the header: bits, RGB or RGBA, deflate, the five filters, not interlaced. */
+    private static final byte[] FORMAT = {8, 2, 0, 0, 0};
+    private static final byte[] ALPHA_FORMAT = {8, 6, 0, 0, 0};
     private static final int[] ZLIB = {0x78, 0x01};           // deflate with a window of 32 KiB, compressed fast
     private static final int[] LAST_BLOCK = {0x03, 0x00};     // of no bytes
     /** The least number of rows of a strip; there are more if they have fewer bytes than the next number. */
@@ -71,22 +72,28 @@ public final class PngWriter {
         seal = rows == null ? null : new PngSeal(out, rows);
         this.out = seal == null ? out : seal.out();
         this.sink = sink;
-        stripRows = stripRows(picture.width());
+        stripRows = stripRows(picture.width(), picture.channels());
     }
 
-    private static int stripRows(int width) {
-        return Math.max(FEWEST_ROWS, FEWEST_BYTES / PngStrip.bytes(width));
+    /** {@return what is behind width and height in the header of a picture with so many numbers a pixel} */
+    static byte[] format(int channels) {
+        return channels == Picture.RGBA ? ALPHA_FORMAT : FORMAT;
+    }
+
+    private static int stripRows(int width, int channels) {
+        return Math.max(FEWEST_ROWS, FEWEST_BYTES / PngStrip.bytes(width, channels));
     }
 
     /**
      * Estimates the memory that writing takes, in addition to the rows that are set in the picture.
      *
-     * @param width the picture's width in pixels
+     * @param picture the picture, whose rows may still be missing
      * @param ahead how many rows are begun at most, of which the first is not taken
      * @return the number of bytes
      */
-    public static long bytesNeeded(int width, int ahead) {
-        return 2L * (ahead + 2 * stripRows(width)) * PngStrip.bytes(width);   // as they are and, at worst, no smaller compressed
+    public static long bytesNeeded(Picture picture, int ahead) {
+        int rows = ahead + 2 * stripRows(picture.width(), picture.channels());
+        return 2L * rows * PngStrip.bytes(picture.width(), picture.channels());   // as they are and, at worst, no smaller compressed
     }
 
     /**
@@ -127,7 +134,7 @@ public final class PngWriter {
     private synchronized PngStrip strip(int i) {
         PngStrip strip = begun.get(i);
         if (strip == null) {
-            strip = new PngStrip(Math.min(stripRows, picture.height() - i * stripRows), picture.width());
+            strip = new PngStrip(Math.min(stripRows, picture.height() - i * stripRows), picture.width(), picture.channels());
             begun.put(i, strip);
         }
         return strip;
@@ -149,10 +156,11 @@ public final class PngWriter {
 
     private void begin() throws IOException {
         out.write(PngChunks.signature());
-        PngChunk header = new PngChunk("IHDR", 2 * Integer.BYTES + FORMAT.length);
+        byte[] format = format(picture.channels());
+        PngChunk header = new PngChunk("IHDR", 2 * Integer.BYTES + format.length);
         header.putInt(picture.width());
         header.putInt(picture.height());
-        header.put(FORMAT);
+        header.put(format);
         header.finished().writeTo(out);
         for (PictureText text : picture.texts()) {
             PngChunk.of(text).writeTo(out);

@@ -7,7 +7,8 @@ public interface RowSink {
      * Gets a row.
      *
      * @param y its number, 0 at the top
-     * @param levels holds red, green and blue of each pixel from the left, 0 to 255 each; must be copied, since it is changed later
+     * @param levels holds red, green and blue of each pixel from the left, and its alpha if there is any, 0 to 255 each; must be copied, since
+     *     it is changed later
      * @param from the index of the first level
      */
     void row(int y, byte[] levels, int from);

@@ -23,8 +23,8 @@ public final class RowsCheck {
      *
      * @param x its column, 0 at the left
      * @param y its row, 0 at the top
-     * @param inFile red, green and blue in the file
-     * @param here red, green and blue in the picture
+     * @param inFile red, green and blue in the file, and alpha if the picture has any
+     * @param here red, green and blue in the picture, likewise
      */
     public record Pixel(int x, int y, String inFile, String here) {
     }
@@ -33,7 +33,7 @@ public final class RowsCheck {
      * Begins a comparison.
      *
      * @param picture the picture, whose rows may still be missing
-     * @param file a picture of the same size
+     * @param file a picture of the same size, with alpha if the other has it, or without
      */
     public RowsCheck(Picture picture, PngReader file) {
         this.picture = picture;
@@ -61,18 +61,23 @@ public final class RowsCheck {
         if (Arrays.equals(inFile, here)) {
             return;
         }
-        for (int x = 0; x < here.length / 3; x++) {
-            if (!Arrays.equals(inFile, 3 * x, 3 * x + 3, here, 3 * x, 3 * x + 3)) {
+        int pixel = picture.channels();
+        for (int at = 0; at < here.length; at += pixel) {
+            if (!Arrays.equals(inFile, at, at + pixel, here, at, at + pixel)) {
                 different++;
                 if (first == null) {
-                    first = new Pixel(x, next, colour(inFile, x), colour(here, x));
+                    first = new Pixel(at / pixel, next, levels(inFile, at), levels(here, at));
                 }
             }
         }
     }
 
-    private static String colour(byte[] row, int x) {
-        return (row[3 * x] & 0xFF) + "," + (row[3 * x + 1] & 0xFF) + ',' + (row[3 * x + 2] & 0xFF);
+    private String levels(byte[] row, int at) {
+        StringBuilder levels = new StringBuilder();
+        for (int i = at; i < at + picture.channels(); i++) {
+            levels.append(i == at ? "" : ",").append(row[i] & 0xFF);
+        }
+        return levels.toString();
     }
 
     /** {@return the number of pixels that differ in the rows that were added} */

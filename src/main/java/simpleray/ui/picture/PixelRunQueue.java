@@ -10,8 +10,6 @@ import simpleray.render.Progress;
 
 /** Pixel runs that are finished and not yet painted. The threads that render add them, the event thread takes them; neither waits. */
 public final class PixelRunQueue implements PassListener {
-    private static final int LEVEL = 0xFF;
-
     private final Queue<Entry> queue = new ConcurrentLinkedQueue<>();
     private final FailedRows failed = new FailedRows();
     private volatile Progress counter;
@@ -19,8 +17,8 @@ public final class PixelRunQueue implements PassListener {
     private volatile boolean coarse;
     private volatile Runnable coarseTask = () -> { };
 
-    /** A finished run with its colours, packed for the screen; or, if the run is null, the row that could not be rendered. */
-    private record Entry(PixelRun run, int[] rgb, int failedRow) {
+    /** A finished run with its colours and their alpha, packed for the screen; or, if the run is null, the row that could not be rendered. */
+    private record Entry(PixelRun run, int[] argb, int failedRow) {
     }
 
     /** Sets the task for the moment when the picture is there in coarse blocks; some thread runs it. Call before rendering. */
@@ -35,13 +33,8 @@ public final class PixelRunQueue implements PassListener {
     }
 
     @Override
-    public void runFinished(PixelRun run, double[] rgb) {
-        byte[] levels = Picture.levels(rgb);
-        int[] packed = new int[levels.length / 3];
-        for (int i = 0; i < packed.length; i++) {
-            packed[i] = 0xFF000000 | (levels[3 * i] & LEVEL) << 16 | (levels[3 * i + 1] & LEVEL) << 8 | levels[3 * i + 2] & LEVEL;
-        }
-        queue.add(new Entry(run, packed, -1));
+    public void runFinished(PixelRun run, double[] light) {
+        queue.add(new Entry(run, Picture.packed(Picture.levels(light), light.length / run.count()), -1));
         if (!run.preview()) {
             counter.worked(run.count() / width);
         }
@@ -91,7 +84,7 @@ public final class PixelRunQueue implements PassListener {
             if (entry.run() == null) {
                 shown.hatch(entry.failedRow(), changed);
             } else {
-                shown.paint(entry.run(), entry.rgb(), changed);
+                shown.paint(entry.run(), entry.argb(), changed);
             }
         }
         return changed;

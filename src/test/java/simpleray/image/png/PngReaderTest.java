@@ -21,6 +21,7 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Random;
 import java.util.concurrent.CompletableFuture;
+import java.util.zip.Deflater;
 import javax.imageio.IIOImage;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageWriteParam;
@@ -46,7 +47,7 @@ class PngReaderTest {
             byte[][] all = new byte[rows.height()][];
             for (int y = 0; y < all.length; y++) {
                 all[y] = rows.next();
-                assertThat(all[y]).hasSize(3 * rows.width());
+                assertThat(all[y]).hasSize(rows.channels() * rows.width());
             }
             return all;
         }
@@ -112,6 +113,10 @@ class PngReaderTest {
     }
 
     private static void assertSamples(BufferedImage image, byte[][] rows) {
+        if (image.getColorModel().hasAlpha()) {
+            assertPixels(image, rows);
+            return;
+        }
         int bands = image.getRaster().getNumBands();
         int bits = image.getSampleModel().getSampleSize(0);
         for (int y = 0; y < image.getHeight(); y++) {
@@ -122,6 +127,16 @@ class PngReaderTest {
                         : bits == 16 ? sample >> 8 : sample;
                     assertThat(rows[y][3 * x + c] & 0xFF).as(x + ", " + y + ", " + c).isEqualTo(level);
                 }
+            }
+        }
+    }
+
+    private static void assertPixels(BufferedImage image, byte[][] rows) {
+        for (int y = 0; y < image.getHeight(); y++) {
+            int[] packed = Picture.packed(rows[y], Picture.RGBA);
+            for (int x = 0; x < image.getWidth(); x++) {
+                int argb = image.getRGB(x, y);
+                assertThat(packed[x]).as(x + ", " + y).isEqualTo(argb >>> 24 == 0 ? 0 : argb);
             }
         }
     }
@@ -146,6 +161,62 @@ class PngReaderTest {
         draw(image);
 
         assertSamples(image, read(written(image, true)));
+    }
+
+    @Test
+    void ourOwnFilesWithAlphaComeBack() throws IOException {
+        Picture picture = Pictures.alphaNoise(50, 33, SEED);
+
+        byte[][] rows = read(Pictures.png(picture));
+
+        for (int y = 0; y < 33; y++) {
+            assertThat(rows[y]).as("row " + y).isEqualTo(picture.levels(y));
+        }
+        assertThat(Pictures.decoded(Pictures.png(picture))).isDeepEqualTo(Pictures.expected(picture));
+    }
+
+    /** Two pixels of some kind, of which the first is transparent: a colour of a palette, one of a chunk tRNS, or by its own alpha. */
+    @ParameterizedTest
+    @CsvSource({"8, 3, 9 8 7 4 5 6, 0, 0 0 1", "8, 2, '', 0 9 0 8 0 7, 0 9 8 7 4 5 6", "8, 6, '', '', 0 9 8 7 0 4 5 6 255",
+        "16, 6, '', '', 0 9 9 8 8 7 7 0 0 4 4 5 5 6 6 255 255", "16, 2, '', 9 9 8 8 7 7, 0 9 9 8 8 7 7 4 4 5 5 6 6"})
+    void whatIsTransparentIsBlackAndHasNoAlpha(int bits, int kind, String palette, String transparent, String row) throws IOException {
+        ByteArrayOutputStream file = new ByteArrayOutputStream();
+        file.write(PngChunks.signature());
+        chunk("IHDR", 0, 0, 0, 2, 0, 0, 0, 1, bits, kind, 0, 0, 0).writeTo(file);
+        if (!palette.isEmpty()) {
+            chunk("PLTE", numbers(palette)).writeTo(file);
+        }
+        if (!transparent.isEmpty()) {
+            chunk("tRNS", numbers(transparent)).writeTo(file);
+        }
+        Deflater deflater = new Deflater();
+        byte[] raw = new byte[numbers(row).length];
+        for (int i = 0; i < raw.length; i++) {
+            raw[i] = (byte) numbers(row)[i];
+        }
+        deflater.setInput(raw);
+        deflater.finish();
+        PngChunk data = new PngChunk("IDAT", 1);
+        data.putAll(deflater, Deflater.NO_FLUSH);
+        deflater.end();
+        data.finished().writeTo(file);
+        chunk("IEND").writeTo(file);
+
+        assertThat(read(file.toByteArray())[0]).containsExactly(0, 0, 0, 0, 4, 5, 6, 255);
+    }
+
+    private static int[] numbers(String words) {
+        return Arrays.stream(words.split(" ")).mapToInt(Integer::parseInt).toArray();
+    }
+
+    @Test
+    void greyWithAlphaComesBack() throws IOException {
+        ColorModel model = new ComponentColorModel(ColorSpace.getInstance(ColorSpace.CS_GRAY), true, false, Transparency.TRANSLUCENT,
+            DataBuffer.TYPE_BYTE);
+        BufferedImage image = new BufferedImage(model, Raster.createInterleavedRaster(DataBuffer.TYPE_BYTE, 2, 1, 2, null), false, null);
+        image.getRaster().setPixels(0, 0, 2, 1, new int[] {70, 3, 80, 0});
+
+        assertThat(read(written(image, false))[0]).containsExactly(70, 70, 70, 3, 0, 0, 0, 0);
     }
 
     /** The upper 8 of 16 bits. */

@@ -138,6 +138,18 @@ class PngRowReaderTest {
     }
 
     @ParameterizedTest
+    @CsvSource({"1, 1", "2, 3", "7, 40", "300, 200", "3, 20000"})
+    void picturesWithAlphaComeBack(int width, int height) throws IOException {
+        Picture picture = Pictures.alphaNoise(width, height, 5);
+
+        List<byte[]> rows = read(Pictures.png(picture));
+
+        for (int y = 0; y < height; y++) {
+            assertThat(rows.get(y)).as("row " + y).isEqualTo(picture.levels(y));
+        }
+    }
+
+    @ParameterizedTest
     @ValueSource(ints = {0, 3, 4, 5, 255})
     void otherFiltersAreThoseOfOtherPrograms(int filter) throws IOException {
         assertFails(small(packed(1, 1, 2, 3, 4, 5, 6, filter, 1, 1, 1, 1, 1, 1)), FOREIGN);
@@ -146,7 +158,7 @@ class PngRowReaderTest {
 
     @ParameterizedTest
     @CsvSource({"0, 2, 8 2 0 0 0", "2, 0, 8 2 0 0 0", "65536, 2, 8 2 0 0 0", "2, 65536, 8 2 0 0 0", "-1, 2, 8 2 0 0 0", "2, 2, 16 2 0 0 0",
-        "2, 2, 8 6 0 0 0", "2, 2, 8 2 1 0 0", "2, 2, 8 2 0 1 0", "2, 2, 8 2 0 0 1", "2, 2, 8 2 0 0"})
+        "2, 2, 16 6 0 0 0", "2, 2, 8 4 0 0 0", "2, 2, 8 6 0 0 1", "2, 2, 8 2 1 0 0", "2, 2, 8 2 0 1 0", "2, 2, 8 2 0 0 1", "2, 2, 8 2 0 0"})
     void anotherHeaderIsThatOfAnotherProgram(int width, int height, String format) throws IOException {
         int[] bytes = Arrays.stream(format.split(" ")).mapToInt(Integer::parseInt).toArray();
 

@@ -139,9 +139,9 @@ class PngWriterOrderTest {
     @Test
     void memoryIsThatOfSomeRowsWhateverTheHeight() {
         // twice 256 rows and two strips of 16, 3 bytes a pixel and one for the filter
-        assertThat(PngWriter.bytesNeeded(20000, 256)).isEqualTo(2 * (256 + 32) * 60001L);
+        assertThat(PngWriter.bytesNeeded(new Picture(20000, 1), 256)).isEqualTo(2 * (256 + 32) * 60001L);
         // strips of 65536 / 301 = 217 rows
-        assertThat(PngWriter.bytesNeeded(100, 256)).isEqualTo(2 * (256 + 434) * 301L);
+        assertThat(PngWriter.bytesNeeded(new Picture(100, 1), 256)).isEqualTo(2 * (256 + 434) * 301L);
     }
 
     private static List<Integer> shuffled(long seed) {
