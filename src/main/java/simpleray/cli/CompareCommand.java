@@ -1,6 +1,7 @@
 package simpleray.cli;
 
 import java.io.IOException;
+import java.math.BigDecimal;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.concurrent.Callable;
@@ -8,19 +9,24 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.ParentCommand;
+import simpleray.image.Picture;
 import simpleray.image.PictureDiff;
 import simpleray.image.png.HeatMap;
 import simpleray.image.png.PictureFormatException;
 import simpleray.image.png.PngReader;
 import simpleray.io.AtomicFile;
 import simpleray.io.InputFile;
+import simpleray.text.NumberParser;
 
 /** Measures how two pictures differ. */
 @Command(mixinStandardHelpOptions = true, sortOptions = false,
     description = "Measures how two PNG pictures differ, in levels from 0 to 255: the largest difference, RMSE, PSNR, SSIM (Wang et al. "
-        + "2004, of the luma, Gaussian windows of 11 x 11), and how many pixels differ by more than 1 level. Transparency is not "
-        + "looked at. The exit code is 0 if the pictures are the same, 1 if they differ, 2 if they cannot be compared.")
+        + "2004, of the luma, Gaussian windows of 11 x 11), and how many pixels differ by more than 1 level. Alpha is compared "
+        + "as a fourth level if a picture has any; one that has none is opaque. The exit code is 0 if the pictures are the same, or differ "
+        + "by no more than --tolerance and --pixels allow, 1 if they differ, 2 if they cannot be compared.")
 final class CompareCommand implements Callable<Integer> {
+    private static final int MAX_LEVELS = 255;
+
     @ParentCommand
     private Main main;
 
@@ -34,12 +40,24 @@ final class CompareCommand implements Callable<Integer> {
         description = "Also write a picture of the differences: black where there is none, from blue for 1 level over red to yellow.")
     private String heatmap;
 
+    @Option(names = "--tolerance", paramLabel = "LEVELS",
+        description = "The pixels that count as different differ by more than so many levels, 0 to 255 (default: 0).")
+    private String tolerance;
+
+    @Option(names = "--pixels", paramLabel = "SHARE",
+        description = "So large a share of all pixels may be different, as a number from 0 to 1 or in percent: 0.002 or 0.2%% (default: 0).")
+    private String share;
+
     @Option(names = "--format", paramLabel = "FORMAT", defaultValue = "text",
         description = "How the figures are printed: ${COMPLETION-CANDIDATES} (default: ${DEFAULT-VALUE}).")
     private Stats.Format format;
 
+    private int levels;                                       // the tolerance
+    private BigDecimal part = BigDecimal.ZERO;                // the share, from 0 to 1, exactly as it is written
+
     @Override
     public Integer call() throws CommandException {
+        readLimits();
         if (heatmap != null) {
             OutputName.refuse(heatmap, one, "one of the pictures");
             OutputName.refuse(heatmap, other, "one of the pictures");
@@ -50,13 +68,41 @@ final class CompareCommand implements Callable<Integer> {
                 return trouble(one + " is " + a.width() + 'x' + a.height() + ", and " + other + " is " + b.width() + 'x' + b.height());
             }
             PictureDiff diff = heatmap == null ? compare(a, b, null) : compareAndDraw(a, b);
-            TextOutput.say(main, format == Stats.Format.JSON ? json(diff, a) : text(diff, a));
-            return diff.maximum() == 0 ? ExitCode.DONE : ExitCode.DIFFERENT;
+            TextOutput.say(main, format == Stats.Format.JSON ? json(diff, a, b) : text(diff, a, b));
+            return isWithin(diff) ? ExitCode.DONE : ExitCode.DIFFERENT;
         } catch (PictureFormatException e) {
             return trouble(e.getMessage());
         } catch (IOException e) {
             return trouble("the pictures cannot be read: " + e.getMessage());
         }
+    }
+
+    private void readLimits() throws CommandException {
+        if (tolerance != null) {
+            Long read = NumberParser.parseInteger(tolerance, 0, MAX_LEVELS);
+            if (read == null) {
+                throw CommandException.usage("--tolerance must be 0 to " + MAX_LEVELS + ", and is '" + tolerance + "'");
+            }
+            levels = read.intValue();
+        }
+        if (share != null) {
+            boolean percent = share.endsWith("%");
+            String number = percent ? share.substring(0, share.length() - 1) : share;
+            double read = NumberParser.parseDouble(number);
+            if (!(read >= 0 && read <= (percent ? 100 : 1))) {
+                throw CommandException.usage("--pixels must be 0 to 1, or 0% to 100%, and is '" + share + "'");
+            }
+            part = percent ? new BigDecimal(number).movePointLeft(2) : new BigDecimal(number);
+        }
+    }
+
+    /** {@return whether no more pixels differ than may} */
+    private boolean isWithin(PictureDiff diff) {
+        return BigDecimal.valueOf(diff.beyond(levels)).compareTo(part.multiply(BigDecimal.valueOf(diff.pixels()))) <= 0;
+    }
+
+    private boolean hasLimits() {
+        return tolerance != null || share != null;
     }
 
     private int trouble(String what) {
@@ -90,7 +136,7 @@ final class CompareCommand implements Callable<Integer> {
     }
 
     private PictureDiff compare(PngReader a, PngReader b, HeatMap map) throws IOException, CommandException {
-        PictureDiff diff = new PictureDiff(a.width(), a.height());
+        PictureDiff diff = new PictureDiff(a.width(), a.height(), Math.max(a.channels(), b.channels()));
         for (int y = 0; y < a.height(); y++) {
             int[] differences = diff.row(a.next(), b.next());
             if (map != null) {
@@ -108,20 +154,31 @@ final class CompareCommand implements Callable<Integer> {
         return new CommandException(ExitCode.WRITE_ERROR, "simpleray: " + heatmap + ": cannot be written: " + e.getMessage());
     }
 
-    private String text(PictureDiff c, PngReader size) {
-        return String.format(Locale.ROOT, "%s and %s are %s: %dx%d%n"
+    private String text(PictureDiff c, PngReader a, PngReader b) {
+        String sameness = c.maximum() == 0 ? "the same" : hasLimits() && isWithin(c) ? "alike enough" : "different";
+        String alpha = a.channels() < b.channels() ? ", with alpha (" + one + " has none: opaque)"
+            : a.channels() > b.channels() ? ", with alpha (" + other + " has none: opaque)" : a.channels() == Picture.RGBA ? ", with alpha" : "";
+        String text = String.format(Locale.ROOT, "%s and %s are %s: %dx%d%s%n"
             + "largest difference     %d levels%n"
             + "RMSE                   %.6f levels%n"
             + "PSNR                   %s%n"
             + "SSIM                   %.6f%n"
-            + "pixels beyond 1 level  %d of %d%n", one, other, c.maximum() == 0 ? "the same" : "different", size.width(), size.height(),
+            + "pixels beyond 1 level  %d of %d%n", one, other, sameness, a.width(), a.height(), alpha,
             c.maximum(), c.rmse(), c.maximum() == 0 ? "infinite" : String.format(Locale.ROOT, "%.4f dB", c.psnr()), c.ssim(),
-            c.beyondOneLevel(), c.pixels()).replace(System.lineSeparator(), "\n");
+            c.beyond(1), c.pixels());
+        if (hasLimits()) {
+            text += String.format(Locale.ROOT, "allowed                %s of the pixels beyond %d levels; these are %d%n",
+                share == null ? "none" : share, levels, c.beyond(levels));
+        }
+        return text.replace(System.lineSeparator(), "\n");
     }
 
-    private static String json(PictureDiff c, PngReader size) {
-        return "{\"same\":" + (c.maximum() == 0) + ",\"width\":" + size.width() + ",\"height\":" + size.height() + ",\"maximum\":"
-            + c.maximum() + ",\"rmse\":" + c.rmse() + ",\"psnr\":" + (c.maximum() == 0 ? "null" : String.valueOf(c.psnr())) + ",\"ssim\":"
-            + c.ssim() + ",\"beyondOneLevel\":" + c.beyondOneLevel() + ",\"pixels\":" + c.pixels() + "}\n";
+    private String json(PictureDiff c, PngReader a, PngReader b) {
+        return "{\"same\":" + (c.maximum() == 0) + ",\"width\":" + a.width() + ",\"height\":" + a.height()
+            + (Math.max(a.channels(), b.channels()) == Picture.RGBA ? ",\"alpha\":true" : "") + ",\"maximum\":" + c.maximum()
+            + ",\"rmse\":" + c.rmse() + ",\"psnr\":" + (c.maximum() == 0 ? "null" : String.valueOf(c.psnr())) + ",\"ssim\":" + c.ssim()
+            + ",\"beyondOneLevel\":" + c.beyond(1) + ",\"pixels\":" + c.pixels()
+            + (hasLimits() ? ",\"tolerance\":" + levels + ",\"share\":" + part + ",\"beyondTolerance\":" + c.beyond(levels)
+                + ",\"within\":" + isWithin(c) : "") + "}\n";
     }
 }

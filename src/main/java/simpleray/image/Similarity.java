@@ -2,9 +2,9 @@ package simpleray.image;
 
 /**
  * The structural similarity of two pictures, SSIM (Wang, Bovik, Sheikh and Simoncelli, "Image quality assessment: from error visibility to
- * structural similarity", 2004): of their luma, in windows of 11 x 11 pixels weighted by a Gaussian of 1.5 pixels, K1 = 0.01, K2 = 0.03,
- * its mean over all windows that lie within the picture. In a smaller picture the window is smaller, too. <em>Mutable,</em>
- * for one thread.
+ * structural similarity", 2004): of their luma, on black where they are transparent, in windows of 11 x 11 pixels weighted by a Gaussian of
+ * 1.5 pixels, K1 = 0.01, K2 = 0.03, its mean over all windows that lie within the picture. In a smaller picture the window is smaller, too.
+ * <em>Mutable,</em> for one thread.
  */
 final class Similarity {
     private static final int WINDOW = 11;
@@ -16,12 +16,14 @@ final class Similarity {
 
     private final double[] across;
     private final double[] down;
+    private final int width;
     private final int windows;                                // side by side
     private final double[][] rows;                            // the means across of the latest rows, each at its number modulo the window's
     private int taken;
     private double sum;
 
     Similarity(int width, int height) {
+        this.width = width;
         across = gaussian(Math.min(WINDOW, width));
         down = gaussian(Math.min(WINDOW, height));
         windows = width - across.length + 1;
@@ -76,11 +78,15 @@ final class Similarity {
         }
     }
 
-    /** {@return the luma of a pixel, by ITU-R BT.601} */
-    private static double[] luma(byte[] rgb) {
-        double[] luma = new double[rgb.length / 3];
-        for (int x = 0; x < luma.length; x++) {
-            luma[x] = 0.299 * (rgb[3 * x] & 0xFF) + 0.587 * (rgb[3 * x + 1] & 0xFF) + 0.114 * (rgb[3 * x + 2] & 0xFF);
+    /** {@return the luma of each pixel of a row, by ITU-R BT.601} */
+    private double[] luma(byte[] row) {
+        int pixel = row.length / width;
+        double[] luma = new double[width];
+        for (int x = 0, i = 0; x < width; x++, i += pixel) {
+            luma[x] = 0.299 * (row[i] & 0xFF) + 0.587 * (row[i + 1] & 0xFF) + 0.114 * (row[i + 2] & 0xFF);
+            if (pixel == Picture.RGBA) {
+                luma[x] *= (row[i + Picture.RGB] & 0xFF) / 255.0;
+            }
         }
         return luma;
     }

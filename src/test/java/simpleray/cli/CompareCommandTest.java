@@ -7,9 +7,15 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import simpleray.Rendered;
 import simpleray.image.Picture;
 import simpleray.image.png.PngWriter;
@@ -84,6 +90,89 @@ class CompareCommandTest {
 
         // log 3 / log 255 = 0.198: red 0.397, blue 0.603
         assertThat(Rendered.levels(Files.readAllBytes(map))).containsExactly(0, 0, 0, 101, 0, 154);
+    }
+
+    /** Of ten pixels two differ, by 3 and by 1 level. */
+    @ParameterizedTest
+    @CsvSource({"--tolerance 3, 0", "--tolerance 2, 1", "--tolerance 2 --pixels 0.1, 0", "--tolerance 2 --pixels 10%, 0",
+        "--tolerance 2 --pixels 9.9%, 1", "--tolerance 1 --pixels 0.1, 0", "--tolerance 0 --pixels 0.1, 1", "--pixels 0.2, 0",
+        "--pixels 2e-1, 0", "--pixels 0.19, 1", "--pixels 1, 0", "--pixels 100%, 0", "--tolerance 255, 0", "--pixels 0, 1", "--tolerance 0 --pixels 0, 1"})
+    void asManyPixelsMayDifferByMoreThanSoManyLevelsAsTheShareSays(String options, int exitCode) throws IOException {
+        String ten = write("ten.png", 10, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9);
+        String near = write("near.png", 10, 0, 1, 2, 6, 4, 5, 6, 7, 8, 10);
+        List<String> line = new ArrayList<>(List.of("compare", ten, near));
+        line.addAll(List.of(options.split(" ")));
+
+        Program.Result result = InProcess.run(line.toArray(new String[0]));
+
+        assertThat(result.exitCode()).isEqualTo(exitCode);
+        assertThat(result.text()).startsWith(ten + " and " + near + " are " + (exitCode == 0 ? "alike enough" : "different") + ": 10x1\n");
+    }
+
+    /** 29 of 100: the double nearest to 0.29 times 100 is below 29. */
+    @Test
+    void aShareIsTakenAsItIsWritten() throws IOException {
+        int[] levels = new int[100];
+        String hundred = write("hundred.png", 100, levels);
+        Arrays.fill(levels, 0, 29, 9);
+        String near = write("near.png", 100, levels);
+
+        assertThat(InProcess.run("compare", hundred, near, "--pixels", "0.29").exitCode()).isZero();
+        assertThat(InProcess.run("compare", hundred, near, "--pixels", "29%").exitCode()).isZero();
+        assertThat(InProcess.run("compare", hundred, near, "--pixels", "28.999%").exitCode()).isEqualTo(1);
+    }
+
+    @Test
+    void whatIsAllowedIsSaid() {
+        assertThat(InProcess.run("compare", one, other, "--tolerance", "2", "--pixels", "50%").text()).endsWith(
+            "allowed                50% of the pixels beyond 2 levels; these are 1\n");
+        assertThat(InProcess.run("compare", one, other, "--tolerance", "3").text()).endsWith(
+            "allowed                none of the pixels beyond 3 levels; these are 0\n");
+        assertThat(InProcess.run("compare", one, other, "--tolerance", "2", "--pixels", "50%", "--format", "json").text()).endsWith(
+            "\"beyondOneLevel\":1,\"pixels\":2,\"tolerance\":2,\"share\":0.50,\"beyondTolerance\":1,\"within\":true}\n");
+    }
+
+    @ParameterizedTest
+    @CsvSource({"--tolerance, -1", "--tolerance, 256", "--tolerance, 1.5", "--tolerance, x", "--tolerance, 3%"})
+    void aToleranceIsOneOfTheLevels(String option, String value) {
+        assertEnds(ExitCode.USAGE, "", "simpleray compare: --tolerance must be 0 to 255, and is '" + value + "' (see simpleray compare --help)\n",
+            "compare", one, other, option + '=' + value);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"-0.1", "1.1", "100.1%", "-1%", "%", "x", "NaN", "1e999", "0.5%%", "0x1p-1"})
+    void aShareIsAPartOfTheWhole(String value) {
+        assertEnds(ExitCode.USAGE, "", "simpleray compare: --pixels must be 0 to 1, or 0% to 100%, and is '" + value
+            + "' (see simpleray compare --help)\n", "compare", one, other, "--pixels=" + value);
+    }
+
+    @Test
+    void alphaIsAFourthLevel() throws IOException {
+        String half = writeAlpha("half.png", 1, 1, 1, 0.5);
+        String most = writeAlpha("most.png", 1, 1, 1, 0.75);
+        String opaque = write("opaque.png", 1, 255);
+
+        assertThat(InProcess.run("compare", half, half).text()).startsWith(half + " and " + half + " are the same: 1x1, with alpha\n");
+        // 128 and 191: 63 levels of one channel in four
+        assertThat(InProcess.run("compare", half, most).text()).startsWith(half + " and " + most + " are different: 1x1, with alpha\n"
+            + "largest difference     63 levels\nRMSE                   31.500000 levels\n");
+        assertThat(InProcess.run("compare", opaque, half).text()).startsWith(opaque + " and " + half + " are different: 1x1, with alpha ("
+            + opaque + " has none: opaque)\nlargest difference     127 levels\n");
+        assertThat(InProcess.run("compare", half, opaque, "--format", "json").text()).contains("\"height\":1,\"alpha\":true,\"maximum\":127,");
+    }
+
+    @Test
+    void anOpaquePictureIsTheSameWithAndWithoutAlpha() throws IOException {
+        assertThat(InProcess.run("compare", writeAlpha("alpha.png", 1, 1, 1, 1), write("plain.png", 1, 255)).exitCode()).isZero();
+    }
+
+    private String writeAlpha(String name, double... pixel) throws IOException {
+        Picture picture = new Picture(1, 1, Picture.RGBA);
+        picture.setRow(0, pixel);
+        try (OutputStream out = Files.newOutputStream(folder.resolve(name))) {
+            PngWriter.write(picture, out);
+        }
+        return folder.resolve(name).toString();
     }
 
     @Test

@@ -27,7 +27,7 @@ class PictureDiffTest {
 
     @Test
     void equalPicturesAreTheSameInEveryFigure() {
-        PictureDiff same = new PictureDiff(40, 30);
+        PictureDiff same = new PictureDiff(40, 30, Picture.RGB);
         Random random = new Random(1);
         for (int y = 0; y < 30; y++) {
             byte[] row = new byte[120];
@@ -39,19 +39,19 @@ class PictureDiffTest {
         assertThat(same.rmse()).isZero();
         assertThat(same.psnr()).isInfinite().isPositive();
         assertThat(same.ssim()).isEqualTo(1);
-        assertThat(same.beyondOneLevel()).isZero();
+        assertThat(same.beyond(1)).isZero();
     }
 
     @Test
     void thePlainFiguresAreThoseOfAllLevels() {
-        PictureDiff diff = new PictureDiff(2, 2);
+        PictureDiff diff = new PictureDiff(2, 2, Picture.RGB);
 
         // differences 1, 0, 0 and 0, 2, 0; then 0, 0, 0 and 3, 4, 255
         assertThat(diff.row(row(10, 20, 30, 40, 50, 60), row(11, 20, 30, 40, 48, 60))).containsExactly(1, 2);
         assertThat(diff.row(row(0, 0, 0, 3, 4, 255), row(0, 0, 0, 0, 0, 0))).containsExactly(0, 255);
 
         assertThat(diff.maximum()).isEqualTo(255);
-        assertThat(diff.beyondOneLevel()).isEqualTo(2);
+        assertThat(diff.beyond(1)).isEqualTo(2);
         assertThat(diff.pixels()).isEqualTo(4);
         double mean = (1 + 4 + 9 + 16 + 65025) / 12.0;
         assertThat(diff.rmse()).isEqualTo(Math.sqrt(mean), within(SMALL));
@@ -60,7 +60,7 @@ class PictureDiffTest {
 
     @Test
     void pixelsThatAllDifferByTenHave28Decibels() {
-        PictureDiff diff = new PictureDiff(1, 1);
+        PictureDiff diff = new PictureDiff(1, 1, Picture.RGB);
         diff.row(plain(1, 100), plain(1, 110));
 
         assertThat(diff.rmse()).isEqualTo(10);
@@ -71,7 +71,7 @@ class PictureDiffTest {
     @Test
     void theSimilarityOfTwoGreysIsThatOfTheirMeans() {
         for (int[] size : new int[][] {{1, 1}, {5, 20}, {20, 5}, {11, 11}, {31, 17}}) {
-            PictureDiff diff = new PictureDiff(size[0], size[1]);
+            PictureDiff diff = new PictureDiff(size[0], size[1], Picture.RGB);
             for (int y = 0; y < size[1]; y++) {
                 diff.row(plain(size[0], 100), plain(size[0], 200));
             }
@@ -86,7 +86,7 @@ class PictureDiffTest {
      */
     @Test
     void theSimilarityOfTwoPixelsFollowsFromTheFormula() {
-        PictureDiff diff = new PictureDiff(2, 1);
+        PictureDiff diff = new PictureDiff(2, 1, Picture.RGB);
         diff.row(row(0, 0, 0, 200, 200, 200), row(0, 0, 0, 100, 100, 100));
 
         assertThat(diff.ssim()).isEqualTo((2 * 100 * 50 + 6.5025) * (2 * 5000 + 58.5225)
@@ -99,7 +99,7 @@ class PictureDiffTest {
         byte[][] one = new byte[11][36];
         byte[][] other = new byte[11][36];
         Random random = new Random(2);
-        PictureDiff diff = new PictureDiff(12, 11);
+        PictureDiff diff = new PictureDiff(12, 11, Picture.RGB);
         for (int y = 0; y < 11; y++) {
             random.nextBytes(one[y]);
             random.nextBytes(other[y]);
