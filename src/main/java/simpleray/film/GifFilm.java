@@ -88,7 +88,7 @@ public final class GifFilm {
                 pixels = pixels(image, pixels);
                 BufferedImage indexed = indexed(image.getWidth(), image.getHeight(), pixels, palette, colours);
                 IIOMetadata told = writer.getDefaultImageMetadata(new ImageTypeSpecifier(indexed), param);
-                told.mergeTree(FORMAT, metadata((int) rate.hundredths(i), i == 0));
+                told.mergeTree(FORMAT, metadata((int) rate.hundredths(i), colours.getTransparentPixel(), i == 0));
                 writer.writeToSequence(new IIOImage(indexed, null, told), param);
                 stream.flushBefore(stream.getStreamPosition());
             }
@@ -120,12 +120,13 @@ public final class GifFilm {
         return image;
     }
 
-    private static IIOMetadataNode metadata(int delay, boolean first) {
+    /** A frame with transparent pixels, whose index is not -1, is taken away before the next. */
+    private static IIOMetadataNode metadata(int delay, int transparent, boolean first) {
         IIOMetadataNode control = new IIOMetadataNode("GraphicControlExtension");
-        control.setAttribute("disposalMethod", "none");
+        control.setAttribute("disposalMethod", transparent < 0 ? "none" : "restoreToBackgroundColor");
         control.setAttribute("userInputFlag", "FALSE");
-        control.setAttribute("transparentColorFlag", "FALSE");
-        control.setAttribute("transparentColorIndex", "0");
+        control.setAttribute("transparentColorFlag", transparent < 0 ? "FALSE" : "TRUE");
+        control.setAttribute("transparentColorIndex", Integer.toString(Math.max(0, transparent)));
         control.setAttribute("delayTime", Integer.toString(delay));
         IIOMetadataNode root = new IIOMetadataNode(FORMAT);
         root.appendChild(control);

@@ -10,11 +10,13 @@ import java.util.List;
  * The at most 256 colours that stand for all colours of a film. A film of no more colours keeps them. Of more, a histogram is cut into boxes:
  * again and again that of the largest variance, across the channel of the largest, at the mean. Each box becomes its mean (Heckbert, "Color image
  * quantization for frame buffer display", 1982; Wan, Wong and Prusinkiewicz, "An algorithm for multidimensional data clustering", 1988).
- * <em>Mutable,</em> for one thread.
+ * A pixel that is more than half transparent has a colour of its own, that is none. <em>Mutable,</em> for one thread.
  */
 final class Palette {
     private static final int COLOURS = 256;
     private static final int OPAQUE = 0xFF000000;
+    /** The least alpha of a pixel that is shown opaque. */
+    private static final int MIN_ALPHA = 0x80;
     private static final int LEVELS = 0xFF;
     /** Bits of a channel in the histogram. */
     private static final int BITS = 6;
@@ -25,7 +27,9 @@ final class Palette {
     private final int[] exact = new int[COLOURS + 1];         // in order
     private int exactCount;                                   // more than COLOURS: there are too many
     private final long[] histogram = new long[SIDE * SIDE * SIDE];
-    private int[] colours;                                    // of the palette, once it is made
+    private boolean transparent;                              // some pixel is
+    private int[] colours;                                    // of the palette, once it is made, without that of transparent pixels
+    private boolean keepsAll;                                 // no colours are put together
     private final short[] nearest = new short[histogram.length];   // 1 more than the index; 0 if it is not known yet
 
     /** A part of the histogram: its cells, and their weight, mean and the variance along its widest channel. */
@@ -74,6 +78,10 @@ final class Palette {
     void count(int[] pixels) {
         int last = 0;
         for (int pixel : pixels) {
+            if (isTransparent(pixel)) {
+                transparent = true;
+                continue;
+            }
             int rgb = pixel | OPAQUE;
             histogram[cell(rgb)]++;
             if (rgb != last && exactCount <= COLOURS) {
@@ -95,13 +103,20 @@ final class Palette {
         }
     }
 
-    /** Makes the palette of all colours that were counted. {@return it} */
-    IndexColorModel make() {
-        colours = exactCount <= COLOURS ? Arrays.copyOf(exact, exactCount) : cut();
-        return new IndexColorModel(Byte.SIZE, colours.length, colours, 0, false, -1, DataBuffer.TYPE_BYTE);
+    private static boolean isTransparent(int pixel) {
+        return pixel >>> 24 < MIN_ALPHA;
     }
 
-    private int[] cut() {
+    /** Makes the palette of all colours that were counted. {@return it} */
+    IndexColorModel make() {
+        int most = transparent ? COLOURS - 1 : COLOURS;
+        keepsAll = exactCount <= most;
+        colours = keepsAll ? Arrays.copyOf(exact, exactCount) : cut(most);
+        int[] all = transparent ? Arrays.copyOf(colours, colours.length + 1) : colours;
+        return new IndexColorModel(Byte.SIZE, all.length, all, 0, false, transparent ? colours.length : -1, DataBuffer.TYPE_BYTE);
+    }
+
+    private int[] cut(int most) {
         int[] all = new int[histogram.length];
         int count = 0;
         for (int cell = 0; cell < histogram.length; cell++) {
@@ -110,13 +125,13 @@ final class Palette {
             }
         }
         List<Box> boxes = new ArrayList<>(List.of(new Box(Arrays.copyOf(all, count))));
-        while (boxes.size() < Math.min(COLOURS, count)) {
-            int most = 0;
+        while (boxes.size() < Math.min(most, count)) {
+            int widest = 0;
             for (int i = 1; i < boxes.size(); i++) {
-                most = boxes.get(i).variance > boxes.get(most).variance ? i : most;
+                widest = boxes.get(i).variance > boxes.get(widest).variance ? i : widest;
             }
-            Box box = boxes.get(most);
-            boxes.set(most, new Box(box.part(false)));
+            Box box = boxes.get(widest);
+            boxes.set(widest, new Box(box.part(false)));
             boxes.add(new Box(box.part(true)));
         }
         return boxes.stream().mapToInt(Box::rgb).toArray();
@@ -124,8 +139,11 @@ final class Palette {
 
     /** {@return the index of the palette's colour that is nearest to a colour} */
     int index(int pixel) {
+        if (isTransparent(pixel)) {
+            return colours.length;
+        }
         int rgb = pixel | OPAQUE;
-        if (exactCount <= COLOURS) {
+        if (keepsAll) {
             return Arrays.binarySearch(colours, rgb);
         }
         int cell = cell(rgb);

@@ -102,6 +102,29 @@ class GifFilmTest {
         assertThat(nodes(reader, 1, "ApplicationExtension")).isEmpty();
     }
 
+    /** Each frame is taken away before the next, which would else be seen through. */
+    @Test
+    void transparentFramesTakeTheirPlace() throws IOException {
+        List<Path> files = new ArrayList<>();
+        for (int i = 0; i < 2; i++) {
+            Picture picture = new Picture(2, 1, Picture.RGBA);
+            picture.setRow(0, i == 0 ? new double[] {1, 0, 0, 0.75, 0, 0, 0, 0} : new double[] {0, 0, 0, 0.25, 0, 1, 0, 1});
+            files.add(folder.resolve("alpha" + i + ".png"));
+            try (PictureFile png = new PictureFile(files.get(i))) {
+                png.write(picture);
+            }
+        }
+
+        ImageReader reader = reader(written(files, 24));
+
+        assertThat(reader.read(0).getRGB(0, 0, 2, 1, null, 0, 2)).containsExactly(0xFFFF0000, 0);
+        assertThat(reader.read(1).getRGB(0, 0, 2, 1, null, 0, 2)).containsExactly(0, 0xFF00FF00);
+        IIOMetadataNode control = nodes(reader, 0, "GraphicControlExtension").get(0);
+        assertThat(control.getAttribute("disposalMethod")).isEqualTo("restoreToBackgroundColor");
+        assertThat(control.getAttribute("transparentColorFlag")).isEqualTo("TRUE");
+        assertThat(control.getAttribute("transparentColorIndex")).isEqualTo("2");
+    }
+
     @Test
     void aFilmOfOneFrameIsAGifToo() throws IOException {
         assertThat(reader(written(frames(1), 24)).getNumImages(true)).isEqualTo(1);
