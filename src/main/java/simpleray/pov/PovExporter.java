@@ -83,11 +83,12 @@ public final class PovExporter {
         int width = camera.width();
         int height = camera.height();
         os.writeString("// Written by SimpleRay for POV-Ray 3.7 (channels shown: " + shown + "). Render it with:\n"
-            + "// povray +IFILE.pov +OFILE.png +W" + width + " +H" + height + " -A -D +FN8 File_Gamma=1.0\n#version 3.7;\n"
+            + "// povray +IFILE.pov +OFILE.png +W" + width + " +H" + height + " -A -D +FN8 File_Gamma=1.0"
+            + (scene.settings.isTransparent() ? " +UA" : "") + "\n#version 3.7;\n"
             + "global_settings { assumed_gamma 1 max_trace_level " + (depth + 1) + " adc_bailout 0 ambient_light rgb 1 }\n");
         Colour background = scene.settings.background == null ? new Colour() : scene.settings.background;
         PovWriter.colour(os, "background { ", shown.of(background));
-        os.writeString(" }\n");
+        os.writeString(scene.settings.isTransparent() ? " transmit 1 }\n" : " }\n");
         PovWriter.camera(os, camera);
         for (int i = 0; i < scene.getNumberLights(); i++) {
             PovWriter.light(os, scene.getLight(i), i, shown.of(scene.getLight(i).intensity));
@@ -175,6 +176,7 @@ public final class PovExporter {
         List<Integer> clear = new ArrayList<>();
         List<Integer> open = new ArrayList<>();
         List<Integer> lit = new ArrayList<>();
+        List<Integer> seenThrough = new ArrayList<>();
         for (int i = 0; i < materials.size(); i++) {
             if (isPane(i)) {
                 open.add(i);
@@ -184,10 +186,14 @@ public final class PovExporter {
             if (materials.get(i).dims() && holdsLight(objects.get(i))) {
                 lit.add(i);
             }
+            if (materials.get(i).transmits && scene.settings.isTransparent()) {
+                seenThrough.add(i);
+            }
         }
         warn(open, "is", "are", "open glass, maybe: those of one material are taken for one closed body, for in POV-Ray a ray "
             + "enters at the first hit and leaves at the next, from whichever side");
         warn(lit, "may hold", "may hold", "a light inside: in POV-Ray glass dims only light from outside");
+        warn(seenThrough, "lets", "let", "light through: POV-Ray's picture is transparent where nothing is behind, and here the surface itself is seen");
         warn(touching(clear), "lies", "lie", "in or across other glass, maybe: in POV-Ray a ray then goes from glass to glass, "
             + "here always to or from air");
     }

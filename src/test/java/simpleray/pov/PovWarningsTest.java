@@ -17,6 +17,7 @@ import simpleray.scene.DirectionalLight;
 import simpleray.scene.Material;
 import simpleray.scene.Plane;
 import simpleray.scene.Scene;
+import simpleray.scene.SceneSettings;
 import simpleray.scene.Scenes;
 import simpleray.scene.SimpleCamera;
 import simpleray.scene.Sphere;
@@ -50,6 +51,17 @@ class PovWarningsTest {
         Material dim = glass(grey(0), grey(0.5));
         dim.index = 1;
         return new Sphere(dim, new Point(), radius);
+    }
+
+    @Test
+    void withoutABackgroundGlassIsTransparentForPovRay() {
+        Scene scene = Scenes.of(clear(0, 0, -5));
+        assertThat(warnings(scene, DEPTH, PovChannel.ALL)).isEmpty();
+
+        scene.settings.background = SceneSettings.TRANSPARENT;
+
+        assertThat(warnings(scene, DEPTH, PovChannel.ALL)).containsExactly("object 1 lets light through: POV-Ray's picture is transparent where "
+            + "nothing is behind, and here the surface itself is seen");
     }
 
     /** Highlights, then diffuse, then transmission; only glass that is seen through and scatters needs the last two grey. */
