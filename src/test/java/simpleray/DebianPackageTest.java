@@ -106,8 +106,8 @@ class DebianPackageTest {
             page = new String(in.readAllBytes(), StandardCharsets.UTF_8);
         }
         assertThat(page).contains(".SH NAME\nsimpleray \\- ", ".SH SYNOPSIS\n", ".SH DESCRIPTION\n", ".SH EXIT CODES\n");
-        for (String command : List.of("view", "render", "animate", "figures", "explain", "print", "check", "convert", "still", "export", "job", "verify",
-            "compare", "bench")) {
+        for (String command : List.of("view", "render", "animate", "figures", "explain", "print", "check", "convert", "still", "import", "export", "job",
+            "verify", "compare", "bench")) {
             assertThat(page).contains("Usage: simpleray " + command + " ");
         }
     }

@@ -33,7 +33,7 @@ class RoomsTest {
     /** The floor of each room; rooms of one floor do not know each other. */
     private static final Map<String, Integer> FLOORS = new TreeMap<>(Map.ofEntries(entry("simpleray.io", 0), entry("simpleray.text", 0),
         entry("simpleray.math", 1), entry("simpleray.image", 1), entry("simpleray.image.png", 2), entry("simpleray.accel", 2),
-        entry("simpleray.scene", 3), entry("simpleray.trace", 4), entry("simpleray.pov", 4),
+        entry("simpleray.scene", 3), entry("simpleray.trace", 4), entry("simpleray.pov", 4), entry("simpleray.convert", 4),
         entry("simpleray.render", 5), entry("simpleray.rays", 6), entry("simpleray.film", 6),
         entry("simpleray.ui.widget", 7), entry("simpleray.ui.file", 7), entry("simpleray.ui.picture", 8),
         entry("simpleray.ui.editor", 9), entry("simpleray.ui.compare", 9), entry("simpleray.ui.inspect", 9),

@@ -15,6 +15,7 @@ import picocli.AutoComplete.GenerateCompletion;
 import picocli.CommandLine;
 import picocli.CommandLine.HelpCommand;
 import picocli.CommandLine.TypeConversionException;
+import simpleray.convert.ForeignFormat;
 import simpleray.pov.PovChannel;
 import simpleray.render.Accel;
 import simpleray.text.Misspelling;
@@ -46,6 +47,7 @@ final class Commands {
         alone.put("check", CheckCommand.class);
         alone.put("convert", ConvertCommand.class);
         alone.put("still", StillCommand.class);
+        alone.put("import", ImportCommand.class);
         alone.put("export", ExportCommand.class);
         alone.put("job", JobCommand.class);
         alone.put("verify", VerifyCommand.class);
@@ -132,6 +134,7 @@ final class Commands {
         }
         line.setExpandAtFiles(false);                         // a file name may begin with @
         convert(line, PovChannel.class, word -> Values.constant(PovChannel.values(), word));
+        convert(line, ForeignFormat.class, word -> Values.constant(ForeignFormat.values(), word));
         convert(line, Accel.class, word -> Values.constant(Accel.values(), word));
         convert(line, Stats.Format.class, word -> Values.constant(Stats.Format.values(), word));
         convert(line, ExplainCommand.Format.class, word -> Values.constant(ExplainCommand.Format.values(), word));

@@ -14,9 +14,9 @@ import java.util.Arrays;
  * <p>Edges may touch one another, as those of a hole and the bridge to it do. Corners that lie in one place one after another, and spikes
  * without area, are passed over.
  */
-final class EarClipper {
+public final class EarClipper {
     /** The result for a convex polygon: the fan from its first corner. */
-    static final int[] FAN = {};
+    public static final int[] FAN = {};
 
     /** The error of a rounded area, as a share of its two products (Shewchuk, "Adaptive Precision Floating-Point Arithmetic", 1997). */
     private static final double AREA_ERROR = (3 + 16 * 0x1p-53) * 0x1p-53;
@@ -39,6 +39,10 @@ final class EarClipper {
     private int[] triangles = {};
     private int end;
 
+    /** Creates one, for any number of polygons. */
+    public EarClipper() {
+    }
+
     /**
      * Cuts a polygon.
      *
@@ -48,7 +52,7 @@ final class EarClipper {
      * @return the corners of each triangle, as indices of the corners, running round as the polygon does; {@link #FAN} if that is it since it is
      *     convex, or so far from flat that it has no plane to be cut in; null if it cannot be cut, since it crosses itself
      */
-    int[] cut(double[] vertices, int[] corners, int count) {
+    public int[] cut(double[] vertices, int[] corners, int count) {
         if (!project(vertices, corners, count)) {
             return null;
         }

@@ -69,6 +69,20 @@ public final class Mesh extends Object {
         return new Mesh(n, "", new Point(), 1, new Triangles(vertices, corners, new double[0], null));
     }
 
+    /**
+     * Creates a mesh that can only be written: its file, which need not be there yet, is not read.
+     *
+     * @param n the material, referenced
+     * @param file the OBJ file
+     * @param mtl whether polygons have the materials of the OBJ's MTL files
+     * @return the mesh, without triangles
+     */
+    public static Mesh named(Material n, String file, boolean mtl) {
+        Mesh mesh = new Mesh(n, file, new Point(), 1, Triangles.NONE);
+        mesh.materials = mtl ? new MeshMaterials(new MaterialRuns(), new MtlMaterial[0], new Material[0]) : null;
+        return mesh;
+    }
+
     /** Creates the mesh of some triangles; the file is not read. */
     Mesh(Material n, String file, Point offset, double scale, Triangles triangles) {
         this(n, file, offset, scale, new TriangleMesh(triangles));

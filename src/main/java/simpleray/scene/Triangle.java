@@ -135,7 +135,7 @@ public final class Triangle extends Object {
     }
 
     /** {@return whether the vertices are on one line, up to the rounding of their decimals} */
-    boolean isFlat() {
+    public boolean isFlat() {
         double scale = scale();
         Point[] v = {scaled(a, scale), scaled(b, scale), scaled(c, scale)};
         return isFlat(v[0].x, v[0].y, v[1].x, v[1].y, v[2].x, v[2].y)

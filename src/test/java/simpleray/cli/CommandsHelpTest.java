@@ -24,7 +24,7 @@ import simpleray.Project;
 class CommandsHelpTest {
     private static final int TERMINAL = 80;
     private static final List<String> COMMANDS = List.of("view", "render", "animate", "merge", "figures", "explain", "print", "check", "convert", "still",
-        "export", "job", "verify", "compare", "bench", "generate-completion");
+        "import", "export", "job", "verify", "compare", "bench", "generate-completion");
     private static final String PICTURE_OPTIONS = "--size --depth --samples --cop --window --camera --background --allow-outside";
 
     @TempDir
@@ -69,7 +69,7 @@ class CommandsHelpTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"view", "render", "animate", "merge", "figures", "explain", "print", "check", "convert", "still",
-        "export", "job", "verify", "compare", "bench",
+        "import", "export", "job", "verify", "compare", "bench",
         "generate-completion"})
     void aCommandHasAHelpOfItsOwn(String command) {
         assertThat(text(command, "--help")).startsWith("Usage: simpleray " + command + " ");

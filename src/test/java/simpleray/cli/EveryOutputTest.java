@@ -35,14 +35,14 @@ class EveryOutputTest {
     /** {@return all that writes one file} In a line @ stands for the folder of what is read. */
     static List<String> files() {
         return List.of("render @ball.scene --progress plain -o", "merge @2.png @1.png -q -o", "convert @ball.scene",
-            "still @ball.scene -o", "export --pov @ball.scene -o", "compare @one.png @other.png --heatmap",
+            "still @ball.scene -o", "import @ball.rt -o", "export --pov @ball.scene -o", "compare @one.png @other.png --heatmap",
             "explain @ball.scene --pixel 5,5 -q --draw-size 9x9 --draw");
     }
 
     /** {@return all that writes to standard output} */
     static List<String> streams() {
         return List.of("render @ball.scene -q -o -", "render @ball.scene -q --stats text -o @stats.png", "merge @2.png @1.png -q -o -",
-            "convert @ball.scene -", "still @ball.scene -o -",
+            "convert @ball.scene -", "still @ball.scene -o -", "import @ball.rt -o -",
             "export --pov @ball.scene -o -", "print @ball.scene", "check @ball.scene", "check --errors json @ball.scene",
             "explain @ball.scene --pixel 5,5", "explain @ball.scene --pixel 5,5 --format json", "compare @one.png @other.png",
             "compare @one.png @other.png --format json", "verify @one.png -q", "bench --quick", "generate-completion", "help", "help render",
@@ -62,6 +62,7 @@ class EveryOutputTest {
     /** Makes the files that the lines read, in the folder that @ stands for. */
     static void makeWhatIsRead(Path folder) throws IOException {
         Files.writeString(folder.resolve("ball.scene"), SmallScenes.ROUGH);
+        Files.writeString(folder.resolve("ball.rt"), "A 0.2 255,255,255\nC 0,0,5 0,0,-1 70\nL -3,4,2 0.7 255,255,255\nsp 0,0,0 2 255,0,0\n");
         for (String options : List.of("one.png", "other.png --cop 3", "1.png --band 1/2", "2.png --band 2/2")) {
             String line = "render @ball.scene -q -o @" + options + SIZE;
             assertThat(InProcess.run(line.replace("@", folder + "/").split(" ")).exitCode()).isZero();

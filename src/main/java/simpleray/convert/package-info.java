@@ -1,0 +1,2 @@
+/** Reads the scenes of other programs. */
+package simpleray.convert;
