@@ -30,7 +30,7 @@ import simpleray.scene.SimpleCamera;
         + "spheres and shrinks with that of threads, what even spheres, heaps of spheres and a mesh cost beside the same without "
         + "acceleration, and how many pictures a second a window could show. Takes some minutes; for fair figures let nothing else run.")
 final class BenchCommand implements Callable<Integer> {
-    private static final String THESIS = "/simpleray/thesis.scene";
+    private static final String THESIS = "/simpleray/scenes/thesis.scene";
     private static final int[] SIZES = {100, 1000, 10_000, 100_000, 1_000_000};
     private static final int KINDS_SIZE = 10_000;
     private static final int MESH_SIZE = 200_000;

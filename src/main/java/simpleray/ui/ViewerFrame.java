@@ -48,6 +48,7 @@ final class ViewerFrame extends JFrame implements EditorContext {
     private final Banner banner = new Banner();
     private final JSplitPane split;
     private final JSplitPane beside = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT);
+    private final JScrollPane scrolled;                       // the picture
     private final StatusBar status = new StatusBar();
     private final transient DesktopActions desktop;
     private final transient Inspector inspector;
@@ -72,7 +73,8 @@ final class ViewerFrame extends JFrame implements EditorContext {
         this.closed = closed;
         picture = new SimpleRay(source, request);
         patience.setRepeats(false);
-        beside.setLeftComponent(new JScrollPane(picture));
+        scrolled = new JScrollPane(picture);
+        beside.setLeftComponent(scrolled);
         beside.setBorder(BorderFactory.createEmptyBorder());
         beside.setResizeWeight(HALF);
         beside.setDividerSize(0);                             // until the scene's text is shown
@@ -136,6 +138,7 @@ final class ViewerFrame extends JFrame implements EditorContext {
     public void open(SceneSource source) {
         document.leave(() -> {
             camera.forget();
+            showPicture(source != SceneSource.NONE);
             opened = source;
             picture.setSource(source);
             desktop.opened(source);
@@ -149,6 +152,17 @@ final class ViewerFrame extends JFrame implements EditorContext {
                 picture.start();
             }
         });
+    }
+
+    /** Shows the picture; or, while there is no scene, what one could open. */
+    private void showPicture(boolean scene) {
+        if (!scene) {
+            beside.setLeftComponent(desktop.welcome());
+        } else if (beside.getLeftComponent() != scrolled) {
+            beside.setLeftComponent(scrolled);
+            validate();
+            picture.requestFocusInWindow();
+        }
     }
 
     private void watch(SceneSource source) {

@@ -45,10 +45,12 @@ final class ViewerMenus {
         cancel = KeyBindings.action("Cancel", "ESCAPE", picture::stop);
 
         JMenu file = menu("File", KeyEvent.VK_F);
+        file.add(scene.create());
         file.add(KeyBindings.action("Open\u2026", "control O", dialogs::open));
         desktop.addOpening(file);
         file.add(render);
         file.addSeparator();
+        file.add(scene.saveAs());
         file.add(save);
         desktop.addCopying(file);
         file.addSeparator();

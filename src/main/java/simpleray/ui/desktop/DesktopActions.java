@@ -1,12 +1,15 @@
 package simpleray.ui.desktop;
 
+import java.awt.Dimension;
 import java.awt.Toolkit;
 import java.awt.datatransfer.StringSelection;
 import java.awt.datatransfer.Transferable;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
+import java.util.concurrent.Executor;
 import javax.swing.Action;
 import javax.swing.JComponent;
+import javax.swing.JDialog;
 import javax.swing.JMenu;
 import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
@@ -23,12 +26,15 @@ import simpleray.ui.widget.Look;
 
 /** Actions that users of a desktop expect beside opening and saving: recent scenes, copies, a chosen look, help. */
 public final class DesktopActions {
+    private static final Dimension EXAMPLES = new Dimension(760, 620);
+
     private final ViewerContext window;
     private final Action copyPicture;
     private final Action copyCommand;
     private final RecentMenu recent;
     private final LookMenu look;
     private final HelpMenu help;
+    private final Executor thumbnails;
     private final Preferences preferences;
     private WindowPlace place;
     private volatile Thread icon;                             // makes the window's icon; null before
@@ -55,6 +61,7 @@ public final class DesktopActions {
         copyCommand = KeyBindings.action("Copy Command Line", "control shift L", this::copyCommand);
         recent = new RecentMenu(window, preferences);
         help = new HelpMenu(window);
+        thumbnails = window.workers().stopping("simpleray-examples");
         window.frame().setTransferHandler(new SceneDrop(window));
     }
 
@@ -75,7 +82,28 @@ public final class DesktopActions {
      * @param file the File menu
      */
     public void addOpening(JMenu file) {
+        file.add(KeyBindings.action("Examples\u2026", "control shift O", this::showExamples));
         file.add(recent);
+    }
+
+    /** {@return what a window without a scene shows: the examples and the recent scenes} */
+    public JComponent welcome() {
+        ExamplesPane pane = new ExamplesPane(thumbnails, window::open);
+        pane.addRecent(preferences.recent(), recent::open);
+        return pane;
+    }
+
+    private void showExamples() {
+        JDialog dialog = new JDialog(window.frame(), "Examples", true);
+        dialog.add(new ExamplesPane(thumbnails, chosen -> {
+            dialog.dispose();
+            window.open(chosen);
+        }));
+        dialog.getRootPane().registerKeyboardAction(e -> dialog.dispose(), KeyStroke.getKeyStroke("ESCAPE"), JComponent.WHEN_IN_FOCUSED_WINDOW);
+        dialog.setDefaultCloseOperation(JDialog.DISPOSE_ON_CLOSE);
+        dialog.setSize(EXAMPLES);
+        dialog.setLocationRelativeTo(window.frame());
+        dialog.setVisible(true);
     }
 
     /**

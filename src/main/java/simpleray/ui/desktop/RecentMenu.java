@@ -57,7 +57,8 @@ final class RecentMenu extends JMenu {
         }
     }
 
-    private void open(Path file) {
+    /** Opens one of them, or says that it is gone. */
+    void open(Path file) {
         if (Files.exists(file)) {
             window.open(SceneSource.file(file));
         } else {

@@ -35,6 +35,7 @@ public final class Shortcuts {
         new Shortcut("Rays", "Go back to where all of them are seen", "Home"),
         new Shortcut("Rays", "Select a ray, and its line of the story", "Click"),
         new Shortcut("Problems", "Go to its place in the text", "Click, Enter"),
+        new Shortcut("Text", "Save the scene", "Ctrl+S"),
         new Shortcut("Text", "Find the next, the one before", "F3, Shift+F3"),
         new Shortcut("Wipe", "Move the divider", "Drag"),
         new Shortcut("Wipe", "Move the divider by 1 %, by 10 %", "Left, Right; with Shift"),

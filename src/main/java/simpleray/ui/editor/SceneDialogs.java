@@ -2,9 +2,11 @@ package simpleray.ui.editor;
 
 import java.awt.Component;
 import java.io.File;
+import java.nio.file.FileSystems;
 import java.nio.file.Path;
 import javax.swing.JFileChooser;
 import javax.swing.JOptionPane;
+import javax.swing.filechooser.FileNameExtensionFilter;
 
 /** What is asked and told when a scene's text is saved. For the event thread. */
 final class SceneDialogs {
@@ -16,17 +18,28 @@ final class SceneDialogs {
     private SceneDialogs() {
     }
 
-    /** {@return where a scene without a file is to be written; null for nowhere} Asks before something is overwritten. */
-    static Path target(Component window) {
-        JFileChooser chooser = new JFileChooser(new File("").getAbsoluteFile());
+    /**
+     * {@return where a scene is to be written; null for nowhere} Asks before something is overwritten.
+     *
+     * @param window the window
+     * @param home the scene's path, or the one it would have, whose name is proposed
+     */
+    static Path target(Component window, Path home) {
+        boolean real = home.getFileSystem() == FileSystems.getDefault();      // else it is in the program's jar
+        File folder = real ? home.toAbsolutePath().toFile().getParentFile() : new File("").getAbsoluteFile();
+        JFileChooser chooser = new JFileChooser(folder);
         chooser.setDialogTitle("Save Scene As");
-        if (chooser.showSaveDialog(window) != JFileChooser.APPROVE_OPTION) {
-            return null;
+        chooser.setFileFilter(new FileNameExtensionFilter("Scenes (*.scene, *.txt)", "scene", "txt"));
+        chooser.setSelectedFile(new File(folder, home.getFileName().toString()));
+        while (chooser.showSaveDialog(window) == JFileChooser.APPROVE_OPTION) {
+            File chosen = chooser.getSelectedFile();
+            File file = chosen.getName().contains(".") ? chosen : new File(chosen.getPath() + ".scene");
+            if (!file.exists() || JOptionPane.showConfirmDialog(window, file.getName() + " is there already. Replace it?",
+                "Save Scene As", JOptionPane.OK_CANCEL_OPTION, JOptionPane.WARNING_MESSAGE) == JOptionPane.OK_OPTION) {
+                return file.toPath();
+            }
         }
-        File file = chooser.getSelectedFile();
-        boolean may = !file.exists() || JOptionPane.showConfirmDialog(window, file.getName() + " is there already. Replace it?",
-            "Save Scene As", JOptionPane.OK_CANCEL_OPTION) == JOptionPane.OK_OPTION;
-        return may ? file.toPath() : null;
+        return null;
     }
 
     /** {@return SAVE, DISCARD, or another number to go on as before} */

@@ -6,8 +6,12 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import javax.swing.Action;
+import javax.swing.JComponent;
+import simpleray.io.OutputTarget;
 import simpleray.text.Diagnostic;
+import simpleray.ui.file.MeshCopies;
 import simpleray.ui.file.MeshNames;
+import simpleray.ui.file.Samples;
 import simpleray.ui.file.SceneSource;
 import simpleray.ui.picture.RenderJob;
 import simpleray.ui.widget.KeyBindings;
@@ -94,10 +98,7 @@ public final class SceneDocument {
         if (source == SceneSource.NONE) {
             return;
         }
-        if (editor == null) {
-            editor = new SceneEditor(this::refresh);
-            editor.area().setEnabled(false);
-        }
+        make();
         if (!shown) {
             shown = true;
             window.showBeside(editor);
@@ -107,6 +108,22 @@ public final class SceneDocument {
         } else {
             then.run();
         }
+    }
+
+    private void make() {
+        if (editor == null) {
+            editor = new SceneEditor(this::refresh);
+            editor.area().setEnabled(false);
+            KeyBindings.bind(editor.area(), JComponent.WHEN_FOCUSED, "control S", this::save);
+        }
+    }
+
+    /** Begins a new scene, and shows its text. */
+    void create() {
+        leave(() -> {
+            window.open(Samples.template());
+            show(() -> editor.area().requestFocusInWindow());
+        });
     }
 
     private void read(Runnable then) {
@@ -242,7 +259,7 @@ public final class SceneDocument {
             return;
         }
         if (source.path() == null) {
-            saveElsewhere(then);
+            saveAs(then);
             return;
         }
         SceneSource asked = source;
@@ -272,25 +289,45 @@ public final class SceneDocument {
         });
     }
 
-    /** Asks where to write a scene that came by standard input. */
-    private void saveElsewhere(Runnable then) {
-        Path path = SceneDialogs.target(window.frame());
+    /** Asks where to write the text, takes the files that it names along, and goes on with the file that is written. */
+    void saveAs() {
+        make();
+        if (saved == null) {
+            read(() -> saveAs(() -> { }));
+        } else {
+            saveAs(() -> { });
+        }
+    }
+
+    private void saveAs(Runnable then) {
+        Path home = source.home() == null ? Path.of("untitled.scene") : source.home();
+        Path path = SceneDialogs.target(window.frame(), home);
         if (path == null) {
             return;
         }
         RenderJob job = window.picture().job();
+        if (source.path() != null && OutputTarget.isSame(path, source.path())) {
+            save(then);
+            return;
+        }
         if (job != null && job.reads(path)) {
             SceneDialogs.failed(window.frame(), path, RenderJob.READ);
             return;
         }
         String text = editor.text();
         SceneText before = saved;
-        disk.write(path, true, null, () -> before.bytes(text), () -> { }, answer -> {
+        SceneSource asked = source;
+        disk.write(path, true, null, () -> {
+            byte[] written = before.bytes(text);
+            MeshCopies.copy(written, home, path);
+            return written;
+        }, () -> { }, answer -> {
             if (answer.failure() != null) {
                 SceneDialogs.failed(window.frame(), path, answer.failure());
-            } else {
+            } else if (source == asked) {
                 changed = false;
                 window.open(SceneSource.file(path, source.reach()));
+                window.say("Saved " + path + answer.note());
                 then.run();
             }
         });
@@ -352,7 +389,7 @@ public final class SceneDocument {
                 return;
             }
             window.say("The problem is in " + problem.file() + ", line " + problem.line() + ", column " + problem.column());
-            int named = source.path() == null ? -1 : MeshNames.placeOf(problem.file(), editor.text(), source.path());
+            int named = source.home() == null ? -1 : MeshNames.placeOf(problem.file(), editor.text(), source.home());
             if (named >= 0) {
                 editor.area().setCaretPosition(named);
                 editor.area().requestFocusInWindow();

@@ -12,6 +12,7 @@ public final class SceneMenu {
     private final JMenu menu = new JMenu("Scene");
     private final JCheckBoxMenuItem text;
     private final SceneDocument document;
+    private final Action saveAs;
     private final List<Action> all;
 
     /**
@@ -26,6 +27,7 @@ public final class SceneMenu {
         text = new JCheckBoxMenuItem(KeyBindings.action("Scene Text", "control E", document::toggle));
         Action render = KeyBindings.action("Render Text", "control ENTER", document::render);
         Action save = KeyBindings.action("Save Scene", "control shift S", document::save);
+        saveAs = KeyBindings.action("Save Scene As\u2026", "control alt S", document::saveAs);
         Action find = KeyBindings.action("Find in Text\u2026", "control F", document::find);
         Action next = KeyBindings.action("Next Problem", "F4", () -> problems.step(1));
         Action previous = KeyBindings.action("Previous Problem", "shift F4", () -> problems.step(-1));
@@ -35,7 +37,17 @@ public final class SceneMenu {
         menu.add(find);
         menu.add(next);
         menu.add(previous);
-        all = List.of(text.getAction(), render, save, find, next, previous);
+        all = List.of(text.getAction(), render, save, saveAs, find, next, previous);
+    }
+
+    /** {@return the action that begins a new scene} */
+    public Action create() {
+        return KeyBindings.action("New", "control N", document::create);
+    }
+
+    /** {@return the action that writes the text into another file} */
+    public Action saveAs() {
+        return saveAs;
     }
 
     /** {@return the menu} */

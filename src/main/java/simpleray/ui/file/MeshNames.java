@@ -1,5 +1,6 @@
 package simpleray.ui.file;
 
+import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.File;
 import java.io.IOException;
@@ -35,19 +36,28 @@ public final class MeshNames {
 
     /** {@return the files beside a scene file that it names; none if it cannot be read} */
     static Set<Path> of(Path scene) {
-        MeshNames names = new MeshNames(scene);
         try (InputStream in = Files.newInputStream(scene)) {
-            byte[] piece = new byte[PIECE];
-            for (int length = in.read(piece); length >= 0 && names.found.size() < MAX; length = in.read(piece)) {
-                for (int i = 0; i < length; i++) {
-                    names.take(piece[i]);
-                }
-            }
-            names.take((byte) '\n');
-            return names.files();
+            return of(in, scene);
         } catch (IOException e) {
             return Set.of();
         }
+    }
+
+    /** {@return the files beside a scene that a text of it names} */
+    static Set<Path> of(byte[] text, Path scene) throws IOException {
+        return of(new ByteArrayInputStream(text), scene);
+    }
+
+    private static Set<Path> of(InputStream in, Path scene) throws IOException {
+        MeshNames names = new MeshNames(scene);
+        byte[] piece = new byte[PIECE];
+        for (int length = in.read(piece); length >= 0 && names.found.size() < MAX; length = in.read(piece)) {
+            for (int i = 0; i < length; i++) {
+                names.take(piece[i]);
+            }
+        }
+        names.take((byte) '\n');
+        return names.files();
     }
 
     /**
@@ -60,7 +70,7 @@ public final class MeshNames {
     public static int placeOf(String file, String text, Path scene) {
         Matcher names = QUOTED.matcher(text);
         while (names.find()) {
-            if (new File(scene.toFile().getParentFile(), names.group(1)).getPath().equals(file)) {
+            if (new File(new File(scene.toString()).getParentFile(), names.group(1)).getPath().equals(file)) {
                 return names.start();
             }
         }

@@ -40,6 +40,11 @@ public interface SceneSource {
         return null;
     }
 
+    /** {@return the path by which messages know the scene, beside which its meshes lie; null for the working directory} */
+    default Path home() {
+        return path();
+    }
+
     /**
      * Reads the scene's text as it is now.
      *

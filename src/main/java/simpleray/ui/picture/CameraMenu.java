@@ -109,7 +109,7 @@ public final class CameraMenu {
         } else if (text.get() != null && tool.isOther()) {
             putIntoText(picture.source(), text.get(), view);
         } else if (!(picture.source() instanceof FileSource file)) {
-            tell("The scene came by standard input: there is no file to write to");
+            tell("The scene is in no file yet: File > Save Scene As\u2026 writes one");
         } else if (!tool.isOther()) {
             window.say("The scene has this view already");
         } else {

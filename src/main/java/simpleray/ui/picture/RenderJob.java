@@ -252,9 +252,10 @@ public final class RenderJob {
      */
     public boolean reads(Path written) {
         Path path = source.path();
+        Path home = source.home();
         SourceText text = snapshot().loaded == null ? null : snapshot().loaded.file.text();
         return path != null && OutputTarget.isSame(written, path)
-            || text != null && text.names(written, (path == null ? Path.of("") : path).resolveSibling(""));
+            || text != null && text.names(written, (home == null ? Path.of("") : home).resolveSibling(""));
     }
 
     /** {@return how far it is now} */

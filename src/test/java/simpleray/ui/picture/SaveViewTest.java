@@ -132,7 +132,7 @@ class SaveViewTest {
         moved();
         save();
 
-        untilRefused("The scene came by standard input: there is no file to write to");
+        untilRefused("The scene is in no file yet: File > Save Scene As\u2026 writes one");
         assertThat(text()).isEqualTo(SCENE);
     }
 

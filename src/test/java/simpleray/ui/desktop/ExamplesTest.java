@@ -1,0 +1,153 @@
+package simpleray.ui.desktop;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.Component;
+import java.awt.Window;
+import java.awt.event.KeyEvent;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.Set;
+import java.util.stream.Collectors;
+import javax.swing.JButton;
+import javax.swing.JDialog;
+import javax.swing.JOptionPane;
+import javax.swing.JTextArea;
+import javax.swing.SwingUtilities;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import simpleray.Project;
+import simpleray.ui.FileDialog;
+import simpleray.ui.OpenWindow;
+import simpleray.ui.Screen;
+import simpleray.ui.TestScenes;
+import simpleray.ui.file.SceneSource;
+import simpleray.ui.picture.RenderJob;
+
+/** The sample scenes in the window, and saving one as a file of one's own; by mouse and keys. */
+class ExamplesTest {
+    private static final Path SCENES = TestScenes.THESIS.getParent();
+    private static final int SIDE = 64;
+
+    @TempDir
+    private Path folder;
+    private OpenWindow window;
+
+    @AfterEach
+    void close() {
+        window.close();
+    }
+
+    @Test
+    void aWindowWithoutASceneShowsEverySampleAsAPicture() throws IOException {
+        window = new OpenWindow(SceneSource.NONE, SIDE, SIDE);
+        Set<String> names = Project.names(SCENES, ".scene").stream().map(name -> name.replace('-', ' ')).collect(Collectors.toSet());
+
+        List<JButton> all = samples();
+        assertThat(all).extracting(button -> button.getText().toLowerCase(Locale.ROOT)).containsExactlyInAnyOrderElementsOf(names);
+        assertThat(all.get(0).getText()).isEqualTo("Thesis");
+        Screen.until("the first pictures are there", () -> OpenWindow.ask(() -> samples().stream().limit(3)
+            .allMatch(button -> ((Thumbnail) button.getIcon()).isRendered())));
+    }
+
+    @Test
+    void aClickOnASampleShowsItAndTheSampleHasNoFile() {
+        window = new OpenWindow(SceneSource.NONE, SIDE, SIDE);
+        window.screen.click(sample("Ball pyramid"));
+
+        window.untilShown("the sample", TestScenes.rendered(SCENES.resolve("ball-pyramid.scene"), SIDE, SIDE));
+        assertThat(OpenWindow.ask(() -> window.picture().source().path())).isNull();
+        assertThat(OpenWindow.ask(() -> window.frame.getTitle())).isEqualTo("ball-pyramid.scene - SimpleRay");
+        assertThat(OpenWindow.ask(() -> window.frame.getFocusOwner())).isSameAs(window.picture());
+    }
+
+    @Test
+    void theDialogOfExamplesOpensOneInPlaceOfTheScene() {
+        window = new OpenWindow(SceneSource.file(TestScenes.plain(folder.resolve("blue.scene"), 0, 0, 1)), SIDE, SIDE);
+        window.untilState(RenderJob.State.FINISHED);
+        window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_O);
+        JDialog dialog = OpenWindow.appears("the examples", JDialog.class, d -> "Examples".equals(d.getTitle()));
+        Screen.until("it has the keys", dialog::isFocused);
+        window.screen.click(sample("Thesis"));
+
+        window.untilShown("the sample", TestScenes.rendered(TestScenes.THESIS, SIDE, SIDE));
+        assertThat(dialog.isShowing()).isFalse();
+    }
+
+    @Test
+    void aSampleIsSavedWithItsMeshes() throws IOException {
+        openHouse();
+        Path own = folder.resolve("mine.scene");
+        FileDialog dialog = saveAs();
+        assertThat(dialog.proposal()).endsWith("house.scene");
+        dialog.enter(own);
+
+        Screen.until("it is said", () -> window.status().startsWith("Saved " + own) || own.equals(window.picture().source().path()));
+        window.untilState(RenderJob.State.FINISHED);
+        for (String[] pair : new String[][] {{"house.scene", "mine.scene"}, {"house.obj", "house.obj"}, {"house.mtl", "house.mtl"}}) {
+            assertThat(folder.resolve(pair[1])).hasSameBinaryContentAs(SCENES.resolve(pair[0]));
+        }
+    }
+
+    @Test
+    void anotherFileWithAMeshesNameIsNotWrittenOver() throws IOException {
+        Path other = Files.write(folder.resolve("house.obj"), "another".getBytes(StandardCharsets.US_ASCII));
+        openHouse();
+        saveAs().enter(folder.resolve("mine.scene"));
+
+        JOptionPane message = OpenWindow.appears("a message", JOptionPane.class, pane -> true);
+        assertThat((String) message.getMessage()).endsWith(
+            "\nThe scene needs its house.obj beside it, and another file has that name: choose another folder");
+        Screen.until("it has the keys", () -> SwingUtilities.getWindowAncestor(message).isFocused());
+        window.screen.press(KeyEvent.VK_ENTER);
+        Screen.until("the message is gone", () -> !message.isShowing());
+        assertThat(other).hasContent("another");
+        assertThat(folder).isDirectoryContaining(file -> file.equals(other)).isDirectoryNotContaining(file -> !file.equals(other));
+    }
+
+    @Test
+    void aNewSceneShowsItsTextAndIsSavedByTheKeyOfItsText() throws IOException {
+        window = new OpenWindow(SceneSource.NONE, SIDE, SIDE);
+        window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_N);
+        Screen.until("its text has the keys", () -> window.frame.getFocusOwner() instanceof JTextArea);
+        window.untilState(RenderJob.State.FINISHED);
+        assertThat(window.problems()).isNull();
+        window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_S);
+        FileDialog dialog = new FileDialog(window.screen);
+        assertThat(dialog.proposal()).endsWith("untitled.scene");
+        dialog.enter(folder.resolve("first"));
+
+        Path own = folder.resolve("first.scene");
+        Screen.until("it is the window's scene", () -> own.equals(window.picture().source().path()));
+        assertThat(Files.readString(own)).startsWith("# A scene to begin with.");
+        window.untilState(RenderJob.State.FINISHED);
+    }
+
+    private void openHouse() {
+        window = new OpenWindow(SceneSource.NONE, SIDE, SIDE);
+        OpenWindow.run(sample("House")::doClick);
+        window.untilState(RenderJob.State.FINISHED);
+    }
+
+    private FileDialog saveAs() {
+        window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_ALT, KeyEvent.VK_S);
+        return new FileDialog(window.screen);
+    }
+
+    private List<JButton> samples() {
+        return OpenWindow.ask(() -> Arrays.stream(Window.getWindows()).filter(Component::isShowing)
+            .flatMap(OpenWindow::all).filter(c -> c instanceof JButton button && button.getIcon() instanceof Thumbnail)
+            .map(JButton.class::cast).collect(Collectors.toList()));
+    }
+
+    private JButton sample(String name) {
+        Screen.until(name + " is there", () -> samples().stream().anyMatch(button -> button.getText().equals(name)));
+        return samples().stream().filter(button -> button.getText().equals(name)).findFirst().orElseThrow();
+    }
+}
