@@ -25,7 +25,9 @@ final class ViewCommand implements PlainCommand {
     @ParentCommand
     private Main main;
 
-    @Parameters(paramLabel = "SCENE", arity = "0..1", description = SceneArgument.DESCRIPTION + " Without one, the window is empty.")
+    @Parameters(paramLabel = "SCENE", arity = "0..1", description = SceneArgument.DESCRIPTION
+        + " An OBJ model is shown in a scene made for it."
+        + " Without a file, the window shows the examples.")
     private String scene;
 
     @Mixin
@@ -64,7 +66,7 @@ final class ViewCommand implements PlainCommand {
 
     @Override
     public boolean needsScene() {
-        return false;                                         // without one the window is empty
+        return false;                                         // without one the window shows the examples
     }
 
     @Override

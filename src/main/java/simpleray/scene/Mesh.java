@@ -368,6 +368,11 @@ public final class Mesh extends Object {
         offset.print(os);
         os.writeString(", scaled by ");
         os.writeDouble(scale);
+        double[] box = mesh.box;
+        os.writeString(", from ");
+        corner(box, scale > 0 ? 0 : 3, 0).print(os);
+        os.writeString(" to ");
+        corner(box, scale > 0 ? 3 : 0, 0).print(os);
         os.writeString(materials == null ? "" : ", with the materials of its MTL files");
         os.writeNewline();
         surfaceMaterial.print(os);

@@ -82,7 +82,8 @@ class MeshTextTest {
     void aMeshPrintsItsFileAndTriangles() throws IOException {
         Mesh mesh = new Mesh(new Material(), folder.resolve("cube #1.obj").toString(), new Point(1, 2, 3), 0.5);
         mesh.file = "cube.obj";
-        assertThat(written(mesh::print)).isEqualTo("Mesh of \"cube.obj\" with 12 triangles, moved by [1.0,2.0,3.0], scaled by 0.5\n"
+        assertThat(written(mesh::print)).isEqualTo("Mesh of \"cube.obj\" with 12 triangles, moved by [1.0,2.0,3.0], scaled by 0.5, "
+            + "from [0.5,1.5,2.5] to [1.5,2.5,3.5]\n"
             + "Material: ambient (1.0,1.0,1.0) diffuse (1.0,1.0,1.0) specular (0.0,0.0,0.0) shininess 2.0");
     }
 

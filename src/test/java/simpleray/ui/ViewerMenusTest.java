@@ -32,7 +32,8 @@ class ViewerMenusTest {
     @Test
     void theFileMenuOpensSavesAndQuits() {
         assertThat(items(opened("File"))).containsExactly(
-            "New ctrl pressed N", "Open… ctrl pressed O", "Examples… shift ctrl pressed O", "Open Recent null", "Reload ctrl pressed R",
+            "New ctrl pressed N", "Open… ctrl pressed O", "Examples… shift ctrl pressed O", "Open Recent null",
+            "Reload ctrl pressed R",
             "Save Scene As… ctrl alt pressed S", "Save Picture As… ctrl pressed S", "Copy Picture ctrl pressed C", "Copy Command Line shift ctrl pressed L",
             "Quit ctrl pressed Q");
     }

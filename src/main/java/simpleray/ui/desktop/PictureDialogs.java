@@ -46,8 +46,8 @@ public final class PictureDialogs {
     public void open() {
         JFileChooser chooser = new JFileChooser(sceneFolder());
         chooser.setDialogTitle("Open Scene");
-        chooser.setFileFilter(new FileNameExtensionFilter("Scenes, and pictures that carry theirs (*.scene, *.txt, *.png)",
-            "scene", "txt", "png"));
+        chooser.setFileFilter(new FileNameExtensionFilter("Scenes, pictures that carry theirs, and models (*.scene, *.txt, *.png, *.obj)",
+            "scene", "txt", "png", "obj"));
         if (chooser.showOpenDialog(frame) == JFileChooser.APPROVE_OPTION) {
             stayIn(chooser.getCurrentDirectory());
             window.open(SceneSource.file(chooser.getSelectedFile().toPath()));

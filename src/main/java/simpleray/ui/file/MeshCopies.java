@@ -14,8 +14,8 @@ public final class MeshCopies {
     }
 
     /**
-     * Copies the files beside a scene, or below its folder, that its text names to the same places beside another. Nothing is written over, and
-     * nothing is copied if one of them would have to be.
+     * Copies the files beside a scene, or below its folder, that its text names to the same places beside another. Nothing is written over,
+     * and nothing is copied if one of them would have to be.
      *
      * @param text the scene's text
      * @param scene the scene's path, or the one it would have

@@ -73,7 +73,7 @@ public interface SceneSource {
     /**
      * Makes a source of a file, which may name OBJ files in its own folder.
      *
-     * @param path the file
+     * @param path the file; if it is an OBJ, the source is of a scene made for it
      * @return the source
      */
     static SceneSource file(Path path) {
@@ -83,12 +83,12 @@ public interface SceneSource {
     /**
      * Makes a source of a file.
      *
-     * @param path the file
+     * @param path the file; if it is an OBJ, the source is of a scene made for it
      * @param reach which OBJ files it may name
      * @return the source
      */
     static SceneSource file(Path path, Reach reach) {
-        return new FileSource(path, reach);
+        return ModelScene.isModel(path) ? ModelScene.of(path) : new FileSource(path, reach);
     }
 
     /**
