@@ -49,6 +49,7 @@ public final class Renderer {
     private long maxEarlyTime = MAX_EARLY_TIME;
     private final AtomicInteger nextEarly = new AtomicInteger();
     private volatile CompiledScene ready;                     // kept for the explainer
+    private volatile boolean begun;                           // the scene is compiled, if it is to be
     private volatile ProgressiveRenderer passes;              // null unless rendering in passes
     private boolean paused;
     private IntFunction<double[]> known;                      // null if no row is known
@@ -108,6 +109,11 @@ public final class Renderer {
      */
     public Explainer explainer() {
         return new Explainer(scene, camera, settings, ready);
+    }
+
+    /** {@return whether rays are traced or were: an explainer need not compile the scene any more} */
+    public boolean hasBegun() {
+        return begun;
     }
 
     /** {@return the most rows that are begun, counted from the first unfinished one} */
@@ -183,6 +189,7 @@ public final class Renderer {
         CompiledScene compiled = settings.accel() == Accel.NONE ? null
             : prepared == null ? compile() : prepared.compiled(scene, camera.eye(), this::compile);
         ready = compiled;
+        begun = true;
         Tracers tracers = new Tracers(scene, camera, settings, compiled);
         long begin = System.nanoTime();
         List<Thread> workers = new ArrayList<>(threads());

@@ -13,10 +13,11 @@ import javax.swing.JProgressBar;
 import simpleray.render.Progress;
 import simpleray.ui.picture.RenderJob;
 
-/** One line that says how far the rendering is: rows done, time gone, time left, size. */
+/** One line that says how far the rendering is: rays done, time gone, time left, size. */
 final class StatusBar extends JPanel {
     private static final long serialVersionUID = 1L;
     private static final int GAP = 12;
+    private static final int BAR = 1000;
     /** In a narrower window the progress in words takes the room of the size, and of most of the bar. */
     private static final int NARROW = 480;
 
@@ -72,13 +73,11 @@ final class StatusBar extends JPanel {
     /** Shows how far a rendering is, or was a moment ago. */
     void show(RenderJob job, RenderJob.Snapshot now, Dimension shown) {
         Progress progress = now.progress();
-        int rows = progress == null ? shown.height : (int) progress.rows();
-        int done = progress == null ? 0 : (int) progress.finished();
-        bar.setMaximum(rows);
-        bar.setValue(done);
+        bar.setMaximum(BAR);
+        bar.setValue((int) (BAR * job.runs().share()));
         bar.setVisible(!now.state().ended());
         size.setText(shown.width + " \u00D7 " + shown.height + ", " + job.request().stage());
-        String counted = done + " of " + rows + " rows, " + Progress.time(now.seconds());
+        String counted = job.runs().traced(now.state() == RenderJob.State.FINISHED) + ", " + Progress.time(now.seconds());
         say(switch (now.state()) {
             case READING -> "Reading the scene";
             case RENDERING -> job.isPaused() ? "Paused: " + counted : "Rendering: " + counted + ", "

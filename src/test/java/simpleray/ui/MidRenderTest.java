@@ -51,10 +51,11 @@ class MidRenderTest {
     }
 
     @Test
-    void theStatusLineHasRowsDoneTimeGoneTimeLeftAndTheSize() {
-        Screen.until("the status line counts 120 rows", () -> window.status().contains("120 of 240 rows"));
+    void theStatusLineHasRaysDoneTimeGoneTimeLeftAndTheSize() {
+        Screen.until("the status line counts the upper half and a quarter of the lower",
+            () -> window.status().contains("36,000 of 57,600 rays"));
 
-        assertThat(window.status()).matches("Rendering: 120 of 240 rows, [\\d.:]+ (s|min), [\\d.:]+ (s|min) left");
+        assertThat(window.status()).matches("Rendering: 36,000 of 57,600 rays, [\\d.:]+ (s|min), [\\d.:]+ (s|min) left");
         assertThat(window.label("size")).isEqualTo("240 × 240, final");
     }
 
@@ -70,7 +71,7 @@ class MidRenderTest {
         gate.open();
 
         window.untilState(RenderJob.State.CANCELLED);
-        assertThat(window.status()).matches("Cancelled: 120 of 240 rows, [\\d.:]+ (s|min)");
+        assertThat(window.status()).matches("Cancelled: 36,000 of 57,600 rays, [\\d.:]+ (s|min)");
         assertThat(window.canDo("Save Picture As…")).isFalse();
         assertThat(window.canDo("Cancel")).isFalse();
         window.untilShown("the upper half", TestScenes.rendered(TestScenes.THESIS, SIDE, SIDE), 0, HALF);

@@ -61,7 +61,7 @@ class ViewerMenusKeysTest {
         window.screen.press(KeyEvent.VK_ESCAPE);
 
         assertThat(window.job().state()).isEqualTo(RenderJob.State.FINISHED);
-        assertThat(window.status()).startsWith("Finished: 60 of 60 rows");
+        assertThat(window.status()).startsWith("Finished: 5,400 rays");
     }
 
     @Test

@@ -66,6 +66,7 @@ public final class Inspector {
     private RenderJob shown;                                  // the one whose rows are on the screen
     private boolean ended;                                    // it had, when it was last looked at
     private Point hovered;
+    private int block;                                        // of that pixel, when it was last told of
     private boolean asking;                                   // an answer about a pixel under the mouse is to come
     private Point cursor;
     private Future<?> telling;
@@ -180,20 +181,21 @@ public final class Inspector {
     }
 
     /**
-     * Takes notice of a rendering: from its first row on, it is the one that is shown.
+     * Takes notice of a rendering: it is the one that is told of as soon as a pixel of it is shown, or earlier if nothing is shown yet.
      *
      * @param job the rendering
      */
     public void update(RenderJob job) {
-        Progress progress = job.snapshot().progress();
         boolean over = job.state().ended();
-        if (job == shown && over != ended) {
+        int now = hovered == null || !picture.has(hovered) ? 0 : picture.blockAt(hovered);
+        if (job == shown && (over != ended || now != block)) {
             ended = over;
             if (hovered != null) {
                 hover(hovered);                               // its colour was not known, or not the last one
             }
         }
-        if (job == shown || progress == null || progress.finished() == 0) {
+        boolean told = picture.seen() == job || !(shown != null && shown.snapshot().canExplain()) && job.snapshot().canExplain();
+        if (job == shown || !told) {
             return;
         }
         shown = job;
@@ -229,11 +231,9 @@ public final class Inspector {
 
     /** Opens the story of the pixel that the pixel cursor is on, for the keyboard. */
     private void openStory() {
-        if (shown != null) {
-            setCursor(start());
-            storyWanted = true;
-            tell(true);
-        }
+        setCursor(start());
+        storyWanted = true;
+        tell(true);
     }
 
     /** Closes the story, and takes the pixel cursor away. */
@@ -398,7 +398,8 @@ public final class Inspector {
     /** Tells colours at once, and which object it is as soon as that is known. */
     @SuppressWarnings("FutureReturnValueIgnored")             // the task itself catches all
     private void tellLine(Point pixel) {
-        String colours = PixelLine.colours(shown.snapshot().picture(), pixel);
+        block = picture.has(pixel) ? picture.blockAt(pixel) : 0;
+        String colours = PixelLine.colours(shown.snapshot().picture(), pixel, picture);
         hoverLine.accept(colours == null ? " " : colours);
         if (colours == null || asking) {                      // the answer that is to come asks again if the mouse has moved
             return;
@@ -423,18 +424,18 @@ public final class Inspector {
                 tellLine(wanted);
             }
         } else {
-            String colours = PixelLine.colours(shown.snapshot().picture(), pixel);
+            String colours = PixelLine.colours(shown.snapshot().picture(), pixel, picture);
             hoverLine.accept(colours == null ? " " : colours + "   " + (thing == null ? "background" : StoryText.object(thing)));
         }
     }
 
     /** Tells the story of the pixel that the cursor is on. */
     private void tell(boolean focus) {
-        if (shown == null) {
-            return;
-        }
         cancelTelling();
         untold = focus;
+        if (shown == null) {
+            return;                                           // it is told as soon as there is a scene
+        }
         RenderJob job = shown;
         Point pixel = cursor;
         boolean wantsStory = storyWanted;

@@ -1,12 +1,15 @@
 package simpleray.ui.picture;
 
 import java.awt.Rectangle;
+import java.util.Locale;
 import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.concurrent.atomic.LongAdder;
 import simpleray.image.Picture;
 import simpleray.render.PassListener;
 import simpleray.render.PixelRun;
 import simpleray.render.Progress;
+import simpleray.render.RenderSettings;
 
 /** Pixel runs that are finished and not yet painted. The threads that render add them, the event thread takes them; neither waits. */
 public final class PixelRunQueue implements PassListener {
@@ -14,6 +17,8 @@ public final class PixelRunQueue implements PassListener {
     private final FailedRows failed = new FailedRows();
     private volatile Progress counter;
     private volatile double width;
+    private volatile long perPixel;                           // rays from the eye; 0 if each pixel takes as many as it needs
+    private final LongAdder done = new LongAdder();           // pixels, previews too
     private volatile boolean coarse;
     private volatile Runnable coarseTask = () -> { };
 
@@ -26,15 +31,41 @@ public final class PixelRunQueue implements PassListener {
         coarseTask = task;
     }
 
-    /** Sets the counter of rows, and how many pixels a row has. Call before rendering. */
-    void count(Progress rows, int pixels) {
-        counter = rows;
+    /** Sets the counter of rows, how many pixels a row has, and how many samples a pixel. Call before rendering. */
+    void count(Progress rows, int pixels, int samples) {
         width = pixels;
+        perPixel = samples == RenderSettings.ADAPTIVE ? 0 : samples * samples;
+        counter = rows;
+    }
+
+    /**
+     * {@return how much is traced so far, coarse passes too: rays from the eye, or a percentage if their number is not known before}
+     *
+     * @param whole whether it has to be all by now
+     */
+    public String traced(boolean whole) {
+        if (counter == null) {
+            return "0 rays";
+        }
+        long pixels = Math.round(counter.rows() * width);
+        long all = perPixel == 0 ? 2 * pixels : pixels;       // adaptive sampling has previews of all of them first
+        long now = Math.min(all, done.sum());
+        if (perPixel == 0) {
+            return 100 * now / all + " %";
+        }
+        String number = String.format(Locale.ROOT, "%,d", now * perPixel);
+        return (whole ? number : String.format(Locale.ROOT, "%s of %,d", number, all * perPixel)) + " rays";
+    }
+
+    /** {@return how much is traced so far, 0 to 1} */
+    public double share() {
+        return counter == null ? 0 : Math.min(1, done.sum() / (counter.rows() * width * (perPixel == 0 ? 2 : 1)));
     }
 
     @Override
     public void runFinished(PixelRun run, double[] light) {
         queue.add(new Entry(run, Picture.packed(Picture.levels(light), light.length / run.count()), -1));
+        done.add(run.count());
         if (!run.preview()) {
             counter.worked(run.count() / width);
         }

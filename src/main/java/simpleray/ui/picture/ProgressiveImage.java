@@ -42,6 +42,12 @@ final class ProgressiveImage {
         return width == otherWidth && height == otherHeight;
     }
 
+    /** {@return the side of a pixel's block; 0 if it could not be rendered, negative if nothing is painted there} */
+    int blockAt(int x, int y) {
+        byte size = sizes[y * width + x];
+        return size == NOTHING ? -1 : size;
+    }
+
     /** Lets any block, however coarse, come over the pixels of a region. */
     void reopen(Region region) {
         for (int y = region.y(); y < region.bottom(); y++) {

@@ -13,10 +13,12 @@ import simpleray.render.Progress;
 import simpleray.render.Provenance;
 import simpleray.render.Region;
 import simpleray.render.RenderRequest;
+import simpleray.render.RenderSettings;
 import simpleray.render.Renderer;
 import simpleray.scene.Scene;
 import simpleray.scene.SceneFile;
 import simpleray.scene.SceneSettings;
+import simpleray.scene.Setting;
 import simpleray.scene.SourceText;
 import simpleray.ui.file.SceneSource;
 
@@ -116,6 +118,11 @@ public final class RenderJob {
         /** {@return what explains the picture's pixels; null before rendering has begun} May take long: not for the event thread. */
         public Explainer explainer() {
             return run == null || run.renderer == null ? null : run.renderer.explainer();
+        }
+
+        /** {@return whether pixels can be explained: the scene is ready for rays} */
+        public boolean canExplain() {
+            return run != null && run.renderer != null && run.renderer.hasBegun();
         }
 
         /** {@return the progress; null before rendering has begun} */
@@ -337,7 +344,8 @@ public final class RenderJob {
         if (cancelled) {                                      // cancel() came before there was a renderer to tell
             throw new CancellationException("cancelled");
         }
-        runs.count(progress, only ? part.width() : picture.width());
+        runs.count(progress, only ? part.width() : picture.width(), request.adaptive() ? RenderSettings.ADAPTIVE
+            : Setting.SAMPLES.in(settings));
         renderer.renderPasses(runs, part, only);
     }
 }

@@ -4,6 +4,7 @@ import java.awt.Color;
 import java.awt.Dimension;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
+import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.event.MouseEvent;
 import java.awt.image.BufferedImage;
@@ -44,6 +45,7 @@ public final class SimpleRay extends ZoomedComponent implements Runnable {
     private transient boolean kept;                           // the old image stays until this one's runs come over it
     private final transient RegionTool regions = new RegionTool(this);
     private transient Picture whole;                          // the picture that is shown, once all its rows are
+    private transient RenderJob seen;                         // the one whose runs are in the image; null for none
     private transient boolean shown;                          // a run of this rendering is in the image
     private transient BufferedImage marks;                    // painted over the picture; null for none
     private transient Runnable listener = () -> { };
@@ -130,7 +132,9 @@ public final class SimpleRay extends ZoomedComponent implements Runnable {
         stop();
         if (job != null && job.snapshot().hasScene()) {
             read = job;
-            read.forget();
+            if (job != seen) {
+                job.forget();
+            }
         }
         shown = false;
         kept = keep;
@@ -211,6 +215,10 @@ public final class SimpleRay extends ZoomedComponent implements Runnable {
             show(next);
         }
         shown = true;
+        if (seen != null) {
+            seen.forget();
+        }
+        seen = job;
     }
 
     /**
@@ -325,6 +333,38 @@ public final class SimpleRay extends ZoomedComponent implements Runnable {
     /** {@return the latest rendering; null before the first start} */
     public RenderJob job() {
         return job;
+    }
+
+    /** {@return the rendering whose pixels are shown; null for none} */
+    public RenderJob seen() {
+        return seen;
+    }
+
+    /**
+     * {@return whether the picture has a pixel}
+     *
+     * @param pixel the pixel
+     */
+    public boolean has(Point pixel) {
+        return pixel.x >= 0 && pixel.y >= 0 && pixel.x < image.getWidth() && pixel.y < image.getHeight();
+    }
+
+    /**
+     * {@return how a pixel is shown: the side of its block in pixels, 1 if it was traced itself; 0 if its row failed, negative if it is blank}
+     *
+     * @param pixel a pixel of the picture
+     */
+    public int blockAt(Point pixel) {
+        return progressive.blockAt(pixel.x, pixel.y);
+    }
+
+    /**
+     * {@return the colour that a pixel is shown in, packed}
+     *
+     * @param pixel a pixel of the picture
+     */
+    public int levelsAt(Point pixel) {
+        return image.getRGB(pixel.x, pixel.y);
     }
 
     /** {@return whether there is more to come} */

@@ -15,6 +15,8 @@ import java.io.IOException;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.IntPredicate;
 import java.util.stream.Collectors;
 import javax.swing.JButton;
 import javax.swing.JTree;
@@ -48,10 +50,90 @@ class InspectorTest {
         robot = new Robot();
     }
 
-    /** Between two renderings the first lets go of its picture, which is on the screen until the next has one. */
     @Test
-    void ofAPictureThatIsNotBegunItIsSaidThatItIsNotRenderedYet() {
-        assertThat(PixelLine.colours(null, new Point(3, 4))).isEqualTo("x 3, y 4   not rendered yet");
+    void aPixelOfARowThatIsNotWholeIsToldAsItIsSeen() {
+        assertThat(PixelLine.painted(-1, 0)).isEqualTo("not rendered yet");
+        assertThat(PixelLine.painted(0, 0xFFE04040)).isEqualTo("failed");
+        assertThat(PixelLine.painted(1, 0xFF010203)).isEqualTo("8-bit 1 2 3");
+        assertThat(PixelLine.painted(4, 0xFF010203)).isEqualTo("8-bit 1 2 3 of a block of 4 × 4, not rendered itself yet");
+    }
+
+    @Test
+    void aClickDuringTheVeryFirstRenderingIsAnsweredAndABlockIsToldAsThat() throws Exception {
+        Explainer explainer = explainer(Stage.FINAL);
+        CountDownLatch open = new CountDownLatch(1);
+        AtomicInteger free = new AtomicInteger(WIDTH * HEIGHT / 2);   // rays of all kinds: no row is whole by then, and some blocks are
+        SceneSource source = TestScenes.watched(TestScenes.THESIS, ray -> {
+            if (Thread.currentThread().getName().startsWith("simpleray-worker") && free.decrementAndGet() < 0) {
+                await(open);
+            }
+        });
+        try (OpenWindow window = new OpenWindow(source, WIDTH, HEIGHT)) {
+            Screen.until("blocks are shown", () -> window.picture().seen() != null);
+            assertThat(window.job().snapshot().progress().finished()).isZero();
+            Point pixel = OpenWindow.ask(() -> first(window, size -> size > 1));
+            click(window, pixel);
+
+            untilStory(window, explainer.story(pixel.x, pixel.y));
+            int side = OpenWindow.ask(() -> window.picture().blockAt(pixel));
+            Screen.until("the block is told", () -> window.label("pixel").contains(" of a block of " + side + " × " + side + ", "));
+            open.countDown();
+        } finally {
+            open.countDown();
+        }
+    }
+
+    @Test
+    void aClickWhileTheSceneIsReadIsAnsweredOnceItIs() throws Exception {
+        CountDownLatch open = new CountDownLatch(1);
+        try (OpenWindow window = new OpenWindow(TestScenes.read(() -> await(open)), WIDTH, HEIGHT)) {
+            click(window, new Point(45, 36));
+            window.screen.press(KeyEvent.VK_SHIFT);           // the click is there before it
+            assertThat(OpenWindow.ask(InspectorTest::tree)).isNull();
+            open.countDown();
+
+            untilStory(window, explainer(Stage.FINAL).story(45, 36));
+        } finally {
+            open.countDown();
+        }
+    }
+
+    @Test
+    void aPictureThatStaysWhenItsSceneCannotBeReadAnyMoreStillTellsItsStories() throws Exception {
+        AtomicBoolean broken = new AtomicBoolean();
+        SceneSource source = TestScenes.read(() -> {
+            if (broken.get()) {
+                throw new IllegalStateException("an error in the scene");
+            }
+        });
+        try (OpenWindow window = new OpenWindow(source, WIDTH, HEIGHT)) {
+            window.untilState(RenderJob.State.FINISHED);
+            broken.set(true);
+            window.screen.press(KeyEvent.VK_F5);
+            window.untilState(RenderJob.State.FAILED);
+            click(window, new Point(45, 36));
+
+            untilStory(window, explainer(Stage.FINAL).story(45, 36));
+        }
+    }
+
+    /** {@return the first pixel that is shown in a block as wanted} For the event thread. */
+    private static Point first(OpenWindow window, IntPredicate wanted) {
+        for (int i = 0; i < WIDTH * HEIGHT; i++) {
+            Point pixel = new Point(i % WIDTH, i / WIDTH);
+            if (wanted.test(window.picture().blockAt(pixel))) {
+                return pixel;
+            }
+        }
+        throw new AssertionError("no pixel is shown so");
+    }
+
+    private static void await(CountDownLatch latch) {
+        try {
+            latch.await();
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
     }
 
     @Test
@@ -95,25 +177,29 @@ class InspectorTest {
     }
 
     @Test
-    void aQuestionBetweenTwoRenderingsIsAnsweredByTheSecond() throws Exception {
+    void aQuestionBetweenTwoRenderingsIsAnsweredForThePictureThatIsSeen() throws Exception {
         AtomicBoolean held = new AtomicBoolean();
         CountDownLatch open = new CountDownLatch(1);
-        SceneSource source = held(held, new CountDownLatch(1), open);
+        SceneSource source = TestScenes.watched(TestScenes.THESIS, ray -> {
+            if (held.get() && Thread.currentThread().getName().startsWith("simpleray-worker")) {
+                await(open);
+            }
+        });
         try (OpenWindow window = new OpenWindow(source, WIDTH, HEIGHT)) {
             window.untilState(RenderJob.State.FINISHED);
             RenderJob first = window.job();
             held.set(true);
-            OpenWindow.run(() -> window.picture().restart());
+            window.screen.press(KeyEvent.VK_2);
             Screen.until("the next has begun", () -> window.picture().job() != first
                 && window.picture().job().state() == RenderJob.State.RENDERING);
             Point pixel = new Point(45, 36);
             move(window, pixel);
-            Screen.until("the mouse is noticed", () -> window.label("pixel").startsWith("x 45, y 36   not rendered yet"));
+            untilLine(window, line(explainer(Stage.FINAL), pixel));
             window.screen.press(KeyEvent.VK_I);
-
-            assertThat(OpenWindow.ask(InspectorTest::tree)).isNull();
-            open.countDown();
             untilStory(window, explainer(Stage.FINAL).story(45, 36));
+
+            open.countDown();
+            untilStory(window, explainer(Stage.LIGHTING).story(45, 36));
             assertThat(window.status()).doesNotContain("cannot be told");
         } finally {
             open.countDown();

@@ -37,7 +37,7 @@ class FailedRowsTest {
 
         assertThat(window.problems().getText()).isEqualTo("rows 12 to 14 were not rendered: java.lang.IllegalStateException: a fault of "
             + "this object\nrow 40 was not rendered: java.lang.IllegalStateException: a fault of this object");
-        assertThat(window.status()).startsWith("Failed: 96 of 100 rows");
+        assertThat(window.status()).startsWith("Failed: 9,600 of 10,000 rays");
         assertThat(window.canDo("Save Picture As…")).isFalse();
         BufferedImage good = TestScenes.rendered(TestScenes.THESIS, SIDE, SIDE);
         window.untilShown("what is above", good, 0, 12);

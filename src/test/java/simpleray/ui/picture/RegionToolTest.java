@@ -77,7 +77,7 @@ class RegionToolTest {
 
         window.untilState(RenderJob.State.FINISHED);
         assertThat(window.job().snapshot().isAlone()).isTrue();
-        assertThat(window.status()).startsWith("Finished: 41 of 41 rows");
+        assertThat(window.status()).startsWith("Finished: 2,501 rays");
         assertThat(window.job().snapshot().picture().row(REGION.y())).isNull();
         assertThat(window.canDo("Save Picture As…")).isFalse();
 

@@ -45,7 +45,7 @@ class RenderJobCancelTest {
         all.open();
 
         window.untilState(RenderJob.State.CANCELLED);
-        assertThat(window.status()).startsWith("Cancelled: 0 of 100 rows");
+        assertThat(window.status()).startsWith("Cancelled: 0 of 10,000 rays");
         window.untilShown("the picture before", TestScenes.rendered(TestScenes.THESIS, SIDE, SIDE));
         assertThat(window.canDo("Save Picture As…")).isTrue();
     }
@@ -59,7 +59,7 @@ class RenderJobCancelTest {
         half.open();
 
         window.untilState(RenderJob.State.CANCELLED);
-        assertThat(window.status()).startsWith("Cancelled: 50 of 100 rows");
+        assertThat(window.status()).startsWith("Cancelled: 6,250 of 10,000 rays");
         assertThat(window.canDo("Save Picture As…")).isFalse();
     }
 }

@@ -29,7 +29,7 @@ class RenderJobPauseTest {
         gate.open();
         Screen.until("its threads wait", RenderJobPauseTest::workersWait);
 
-        Screen.until("the status bar says so", () -> window.status().matches("Paused: 50 of 100 rows, [\\d.:]+ (s|min)"));
+        Screen.until("the status bar says so", () -> window.status().matches("Paused: 6,250 of 10,000 rays, [\\d.:]+ (s|min)"));
         assertThat(OpenWindow.ask(window.item("Pause")::isSelected)).isTrue();
         assertThat(window.job().snapshot().progress().finished()).isEqualTo(50);
 
@@ -56,7 +56,7 @@ class RenderJobPauseTest {
         window.screen.press(KeyEvent.VK_ESCAPE);
 
         window.untilState(RenderJob.State.CANCELLED);
-        assertThat(window.status()).startsWith("Cancelled: 50 of 100 rows");
+        assertThat(window.status()).startsWith("Cancelled: 6,250 of 10,000 rays");
         Screen.until("all threads end", () -> OpenWindow.threads().isEmpty());
     }
 

@@ -52,7 +52,7 @@ class ZoomTest {
         Rectangle place = OpenWindow.ask(() -> window.picture().place());
         Dimension room = OpenWindow.ask(window.picture()::getSize);
         assertThat(place).isEqualTo(new Rectangle((room.width - WIDTH) / 2, (room.height - HEIGHT) / 2, WIDTH, HEIGHT));
-        assertThat(window.status()).matches("Finished: 300 of 300 rows, [\\d.:]+ (s|min)");
+        assertThat(window.status()).matches("Finished: 180,000 rays, [\\d.:]+ (s|min)");
         assertThat(window.label("size")).isEqualTo("600 × 300, final");
     }
 
