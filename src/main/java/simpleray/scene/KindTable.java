@@ -70,7 +70,7 @@ final class KindTable<T extends SceneElement> {
                 all.ensureCapacity(room);
             }
             is.enter(what, i);
-            T thing = create(is, type);
+            T thing = create(is, type, n);
             places.add(is.line());
             thing.read(is);
             all.add(thing);
@@ -93,10 +93,11 @@ final class KindTable<T extends SceneElement> {
         return n + " " + what + (n == 1 ? "" : "s");
     }
 
-    private T create(SceneReader is, String field) throws IOException {
+    private T create(SceneReader is, String field, int count) throws IOException {
         int code = is.readInt(field, Integer.MIN_VALUE, Integer.MAX_VALUE);
         for (int i = 0; i < kinds.size(); i++) {
             if (kinds.get(i).code == code) {
+                is.specify(count, kinds.get(i).name, field);
                 return kinds.get(i).make();
             }
         }

@@ -20,6 +20,7 @@ import simpleray.io.MagicNumber;
 import simpleray.text.Diagnostic;
 import simpleray.text.SceneFormatException;
 import simpleray.text.SceneReader;
+import simpleray.text.SourceValues;
 
 /**
  * A scene read from a file, with the warnings about the file. <em>Constant.</em>
@@ -71,7 +72,7 @@ public record SceneFile(Scene scene, List<Diagnostic> warnings, SourceText text)
             throw new FileSystemException(path.toString(), null, "is a folder");
         }
         try (InputStream in = new FileInputStream(path.toFile())) {
-            return read(in, longestKept(path), path.toString(), path.resolveSibling(""), reach);
+            return read(in, longestKept(path), path.toString(), path.resolveSibling(""), reach, null);
         } catch (FileNotFoundException e) {
             String reason = InputFile.refusal(path);
             throw (IOException) new FileSystemException(path.toString(), null, reason == null ? "may not be read" : reason).initCause(e);
@@ -122,6 +123,22 @@ public record SceneFile(Scene scene, List<Diagnostic> warnings, SourceText text)
      */
     public static SceneFile read(InputStream in, Path path, Reach reach) throws IOException {
         return read(in, path.toString(), path.resolveSibling(""), reach);
+    }
+
+    /**
+     * Reads a scene likewise, and lists its values.
+     *
+     * @param in the text, read to its end and left open
+     * @param path the file, for messages and for the files beside it; null for standard input and the working directory
+     * @param reach which OBJ files it may name
+     * @param values gets the values; up to the first error after which the rest cannot be read
+     * @return the scene
+     * @throws SceneFormatException if it is no scene
+     * @throws IOException if it cannot be read
+     */
+    public static SceneFile read(InputStream in, Path path, Reach reach, SourceValues values) throws IOException {
+        String name = path == null ? STREAM : path.toString();
+        return read(in, PictureText.LONGEST, name, path == null ? Path.of("") : path.resolveSibling(""), reach, values);
     }
 
     /**
@@ -188,10 +205,11 @@ public record SceneFile(Scene scene, List<Diagnostic> warnings, SourceText text)
     }
 
     private static SceneFile read(InputStream in, String name, Path folder, Reach reach) throws IOException {
-        return read(in, PictureText.LONGEST, name, folder, reach);
+        return read(in, PictureText.LONGEST, name, folder, reach, null);
     }
 
-    private static SceneFile read(InputStream file, int longestKept, String name, Path folder, Reach reach) throws IOException {
+    private static SceneFile read(InputStream file, int longestKept, String name, Path folder, Reach reach, SourceValues values)
+        throws IOException {
         PushbackInputStream begun = new PushbackInputStream(file, MagicNumber.LENGTH);
         if (PngChunks.begin(begun)) {
             return PictureScene.read(new PngChunks(new BufferedInputStream(begun), name), name).open(name, folder, reach);
@@ -203,6 +221,7 @@ public record SceneFile(Scene scene, List<Diagnostic> warnings, SourceText text)
         }
         HashingInputStream in = new HashingInputStream(begun, longestKept);
         SceneReader reader = new SceneReader(in, name, folder);
+        reader.list(values);
         MeshFiles meshes = MeshFiles.of(reader, reach);
         Scene scene = read(reader, new Again() {
             @Override

@@ -126,9 +126,24 @@ final class Diagnostics {
         return "expected " + owner() + wanted + ", found " + found;
     }
 
+    /** {@return whether the next values belong to no thing} */
+    boolean isOutside() {
+        return owners.isEmpty();
+    }
+
+    /** {@return the outermost thing that the next values belong to} */
+    SourceValue.Thing thing(int count, String kind) {
+        return new SourceValue.Thing(owners.get(0), numbers[0], count, kind);
+    }
+
     private String owner() {
+        return owner(0);
+    }
+
+    /** {@return what the next values belong to, without the outermost of these things; a blank is its end} */
+    String owner(int outer) {
         StringBuilder owner = new StringBuilder();
-        for (int i = 0; i < owners.size(); i++) {
+        for (int i = outer; i < owners.size(); i++) {
             owner.append(owners.get(i)).append(numbers[i] == 0 ? " " : " " + numbers[i] + "'s ");
         }
         return owner.toString();

@@ -29,6 +29,8 @@ public final class SceneReader implements Closeable {
     private final Path folder;
     final Tokenizer tokenizer;
     private final Map<Class<?>, Object> kept = new HashMap<>();
+    private SourceValues values;                              // null unless they are asked for
+    private SourceValue.Thing thing;                          // that the next values belong to; null for none, or none is asked for
 
     /**
      * Opens a scene file.
@@ -89,6 +91,29 @@ public final class SceneReader implements Closeable {
     }
 
     /**
+     * Lists the values that are read from here on. Without this, none is listed.
+     *
+     * @param list gets them; null to list none
+     */
+    public void list(SourceValues list) {
+        values = list;
+    }
+
+    /**
+     * Tells the kind of the thing that the next values belong to, which the value just read has decided.
+     *
+     * @param count how many such things there are
+     * @param kind its kind
+     * @param field what the value just read is
+     */
+    public void specify(int count, String kind, String field) {
+        if (values != null) {
+            thing = diagnostics.thing(count, kind);
+            values.give(thing, field);
+        }
+    }
+
+    /**
      * Names the thing that the next values belong to, until {@link #leave}: "object" and 3 give "object 3's …".
      *
      * @param name the thing's name
@@ -110,6 +135,9 @@ public final class SceneReader implements Closeable {
     /** Ends what the latest {@code enter} began. */
     public void leave() {
         diagnostics.leave();
+        if (diagnostics.isOutside()) {
+            thing = null;
+        }
     }
 
     /**
@@ -150,6 +178,7 @@ public final class SceneReader implements Closeable {
                 diagnostics.warn(tokenizer.last(), field + ' ' + Diagnostic.quoted(tokenizer.lastWord()) + " is too small for a number, and read as 0");
             }
         }
+        listLast(field, SourceValue.Type.NUMBER);
         return value;
     }
 
@@ -164,6 +193,7 @@ public final class SceneReader implements Closeable {
         if (Float.isNaN(value)) {
             refuse("a number");
         }
+        listLast("a number", SourceValue.Type.NUMBER);
         return value;
     }
 
@@ -207,6 +237,7 @@ public final class SceneReader implements Closeable {
             }
             value = other;
         }
+        listLast(field, SourceValue.Type.INTEGER);
         return value;
     }
 
@@ -223,6 +254,7 @@ public final class SceneReader implements Closeable {
         if (!word.startsWith("\"") || close < 2 || close != word.length() - 1) {
             throw stop(field + " between double quotes");
         }
+        listLast(field, SourceValue.Type.WORD);
         return word.substring(1, close);
     }
 
@@ -254,7 +286,11 @@ public final class SceneReader implements Closeable {
      * @throws IOException if the file cannot be read
      */
     public String takeKeyword(Set<String> keywords) throws IOException {
-        return tokenizer.skip(keywords) && tokenizer.isNext(keywords) ? tokenizer.take(false) : null;
+        String word = tokenizer.skip(keywords) && tokenizer.isNext(keywords) ? tokenizer.take(false) : null;
+        if (values != null && word != null) {
+            listLast("keyword " + word, SourceValue.Type.WORD);
+        }
+        return word;
     }
 
     /**
@@ -271,6 +307,7 @@ public final class SceneReader implements Closeable {
         if (!words.contains(word)) {
             throw stop(field);
         }
+        listLast(field, SourceValue.Type.WORD);
         return word;
     }
 
@@ -378,6 +415,12 @@ public final class SceneReader implements Closeable {
     @Override
     public void close() throws IOException {
         tokenizer.close();
+    }
+
+    private void listLast(String field, SourceValue.Type type) {
+        if (values != null) {
+            values.add(tokenizer.lastSpan(), thing, diagnostics.owner(thing == null ? 0 : 1) + field, type);
+        }
     }
 
     private String word(String field, boolean integer) throws IOException {
