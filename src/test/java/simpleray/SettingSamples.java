@@ -44,4 +44,13 @@ public final class SettingSamples {
         setting.parse(value(setting), settings);
         return settings;
     }
+
+    /** {@return settings as {@link #only}, and a camera beside up, which a scene file must have} */
+    public static SceneSettings inScene(Setting<?> setting) {
+        SceneSettings settings = only(setting);
+        if (setting == Setting.UP) {
+            Setting.CAMERA.parse(value(Setting.CAMERA), settings);
+        }
+        return settings;
+    }
 }

@@ -53,7 +53,7 @@ class RenderRequestTest {
     @ParameterizedTest
     @MethodSource("all")
     void aSettingIsPartOfAPicturesIdentity(Setting<?> setting) throws IOException {
-        SceneSettings only = SettingSamples.only(setting);
+        SceneSettings only = SettingSamples.inScene(setting);
         Map<String, String> asked = identity(new RenderRequest().with(only), "");
 
         assertThat(asked).containsKey(setting.name()).isNotEqualTo(identity(new RenderRequest(), ""));
@@ -64,7 +64,7 @@ class RenderRequestTest {
     @ParameterizedTest
     @MethodSource("all")
     void aPictureTellsASetting(Setting<?> setting) throws IOException {
-        SceneSettings only = SettingSamples.only(setting);
+        SceneSettings only = SettingSamples.inScene(setting);
         String told = told(new RenderRequest().with(only), "");
 
         assertThat(told).contains('\n' + only.lines());

@@ -108,7 +108,7 @@ class MeshMaterialsTest {
         Mesh mesh = read(obj("mtllib a.mtl\nusemtl red"));
 
         assertThat(SceneText.written(mesh::write)).endsWith("0.7 0.8 0.9  12.0  mtl");
-        assertThat(SceneText.written(mesh::print)).contains("scaled by 1.0, with the materials of its MTL files\nMaterial: ambient (0.1,0.2,0.3)");
+        assertThat(SceneText.written(mesh::print)).contains(", with the materials of its MTL files\nMaterial: ambient (0.1,0.2,0.3)");
         assertThat(SceneText.written(read(obj("usemtl red"), OWN)::write)).endsWith("12.0");
     }
 
