@@ -66,6 +66,24 @@ class AnimateCommandTest {
         }
     }
 
+    /** From (0, 0, 5) to (0, 4, 5) in 4 frames: at frame 2 the view is along (0, -2, -5). */
+    @Test
+    void aFrameThatLooksAlongUpIsAnErrorBeforeTheFirst() throws IOException {
+        String keys = STILL.strip() + "\nframes 5 25\ncurve linear\nkey 0 camera 0 0 5 0 0 0 40\nkey 4 camera 0 4 5 0 0 0 40\n";
+        Files.writeString(folder.resolve("rising.scene"), keys);
+        Files.writeString(folder.resolve("bad.scene"), keys + "up 0 2 5\n");
+        Program.Result option = run("animate @rising.scene -o @u.%d.png --up 0,2,5 -q");
+        Program.Result file = run("animate @bad.scene -o @u.%d.png -q");
+
+        assertThat(option.exitCode()).isEqualTo(2);
+        assertThat(option.err()).startsWith("simpleray animate: expected frame 2's camera with a view that is not along up, "
+            + "found 0.0 2.0 5.0 0.0 0.0 0.0 40.0").hasLineCount(1);
+        assertThat(file.exitCode()).isEqualTo(65);
+        assertThat(file.err()).contains("error: expected frame 2's camera with a view that is not along up");
+        assertThat(files()).isEmpty();
+        good("animate @rising.scene -o @u.%d.png --up 0,2,5 --camera 0,0,5,0,0,0,40 -q --frames 2 --size 4x3");
+    }
+
     @ParameterizedTest
     @ValueSource(ints = {1, 2})
     void eachFrameIsWhatRenderMakesOfItByteForByte(int threads) throws IOException {

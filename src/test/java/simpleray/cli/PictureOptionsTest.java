@@ -34,7 +34,8 @@ class PictureOptionsTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {"background 0.1 0.2 0.4 | --background 0.1,0.2,0.4", "window -1 1 -1 0.5 | --window -1,1,-1,0.5",
-        "cop 3.5 | --cop 3.5", "camera 3 2 5 0 0.5 0 40 | --camera 3,2,5,0,0.5,0,40", "resolution 16 12 | --size 16x12",
+        "cop 3.5 | --cop 3.5", "camera 3 2 5 0 0.5 0 40 | --camera 3,2,5,0,0.5,0,40", "parallel 3 2 5 0 0.5 0 4 | --parallel 3,2,5,0,0.5,0,4",
+        "resolution 16 12 | --size 16x12",
         "depth 0 | --depth 0", "samples 3 | --samples 3", "samples 16 | --samples 16"})
     void anOptionIsTheKeywordOfTheFile(String keyword, String option) throws IOException {
         String small = keyword.startsWith("resolution") ? "" : SMALL;
@@ -46,7 +47,9 @@ class PictureOptionsTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {"background 1 0 0 | --background 0.1,0.2,0.4", "window -3 3 -3 3 | --window -1,1,-1,0.5",
-        "cop 9 | --cop 3.5", "camera 0 0 9 0 0 0 70 | --camera 3,2,5,0,0.5,0,40", "resolution 16 12 | --size 24x18", "depth 0 | --depth 3",
+        "cop 9 | --cop 3.5", "camera 0 0 9 0 0 0 70 | --camera 3,2,5,0,0.5,0,40", "camera 0 0 9 0 0 0 70 | --parallel 3,2,5,0,0.5,0,4",
+        "parallel 0 0 9 0 0 0 4 | --parallel 3,2,5,0,0.5,0,4", "parallel 0 0 9 0 0 0 4 | --camera 3,2,5,0,0.5,0,40",
+        "parallel 0 0 9 0 0 0 4 | --cop 3.5", "resolution 16 12 | --size 24x18", "depth 0 | --depth 3",
         "samples 4 | --samples 1", "samples 1 | --samples adaptive", "samples 16 | --samples adaptive"})
     void anOptionWinsOverTheFile(String keyword, String option) throws IOException {
         String small = keyword.startsWith("resolution") ? "" : SMALL;
@@ -76,6 +79,39 @@ class PictureOptionsTest {
             .isEqualTo(picture(BALL + SMALL + "cop 3.5\nwindow -1 1 -1 0.5"));
     }
 
+    @Test
+    void upTurnsAFilesCameraAndLeavesItWhereItIs() throws IOException {
+        assertThat(picture(BALL + SMALL + "camera 3 2 5 0 0.5 0 40\nup 1 0 0", "--up", "0,1,0"))
+            .isEqualTo(picture(BALL + SMALL + "camera 3 2 5 0 0.5 0 40"));
+        assertThat(picture(BALL + SMALL + "camera 0 0 9 0 0 0 40\nup 0 1 1", "--parallel", "3,2,5,0,0.5,0,4"))
+            .isEqualTo(picture(BALL + SMALL + "parallel 3 2 5 0 0.5 0 4\nup 0 1 1"));
+        assertThat(picture(BALL + SMALL, "--parallel", "3,2,5,0,0.5,0,4", "--up", "0,1,1"))
+            .isEqualTo(picture(BALL + SMALL + "parallel 3 2 5 0 0.5 0 4\nup 0 1 1"));
+        assertThat(picture(BALL + SMALL + "camera 0 0 9 0 0 0 40\nup 0 1 1", "--cop", "3")).isEqualTo(picture(BALL + SMALL + "cop 3"));
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', value = {
+        "--up 0,0,0 | Invalid value for option '--up': expected a direction other than zero, found '0,0,0'",
+        "--up 0,1 | Invalid value for option '--up': expected three numbers such as 0,0,1, found '0,1'",
+        "--up 0,1,0 | up needs a camera or parallel", "--up 0,1,0 --camera 0,5,0,0,0,0,40 | up must not be along the view",
+        "--up 0,1,0 --cop 3 | --up goes with --camera or --parallel, not with --cop and --window",
+        "--up 0,1,0 --window -1,1,-1,1 | --up goes with --camera or --parallel, not with --cop and --window",
+        "--parallel 0,5,0,0,0,0,4 --cop 3 | --parallel takes the place of --camera, --cop and --window: give one or the other",
+        "--parallel 0,5,0,0,0,0,4 --camera 0,5,0,0,0,0,40 | --parallel takes the place of --camera, --cop and --window: give one or the other",
+        "--parallel 0,5,0,0,0,0,-4 | Invalid value for option '--parallel': expected a height above 0 and up to 1e100, found '0,5,0,0,0,0,-4'",
+        "--parallel 0,5,0,0,5,0,4 | Invalid value for option '--parallel': expected a look-at point other than the eye, found '0,5,0,0,5,0,4'"})
+    void whatMakesNoCameraIsAnError(String options, String message) throws IOException {
+        Path scene = Files.writeString(folder.resolve("ball.scene"), BALL);
+        List<String> args = new ArrayList<>(List.of("render", scene.toString(), "-o", "-", "-q"));
+        args.addAll(Arrays.asList(options.split(" ")));
+
+        Program.Result result = InProcess.run(args.toArray(new String[0]));
+
+        assertThat(result.exitCode()).isEqualTo(2);
+        assertThat(result.err()).startsWith("simpleray render: " + message + " (see simpleray render --help)").hasLineCount(1);
+    }
+
     @ParameterizedTest
     @CsvSource({"1, 0", "2, 128", "4, 64", "16, 96"})
     void samplesAreTheMeanOfTheirLight(String samples, int expected) throws IOException {
@@ -100,10 +136,11 @@ class PictureOptionsTest {
             assertThat(InProcess.run(command, "--help").text()).contains("  " + setting.option() + '=' + setting.label());
         }
         String line = SettingSamples.only(setting).lines();
-        String small = setting == Setting.RESOLUTION ? "" : SMALL;
+        String small = (setting == Setting.RESOLUTION ? "" : SMALL) + (setting == Setting.UP ? "camera 0 0 9 0 0 0 70\n" : "");
 
         assertThat(picture(BALL + small, setting.option(), SettingSamples.value(setting))).isEqualTo(picture(BALL + small + line))
-            .isEqualTo(picture(BALL + small, setting.option() + '=' + SettingSamples.value(setting))).isNotEqualTo(picture(BALL + SMALL));
+            .isEqualTo(picture(BALL + small, setting.option() + '=' + SettingSamples.value(setting))).isNotEqualTo(picture(BALL + small))
+            .isNotEqualTo(picture(BALL + SMALL));
     }
 
     static List<Setting<?>> settings() {

@@ -15,6 +15,7 @@ import simpleray.math.Point;
 import simpleray.math.Vector;
 import simpleray.scene.DirectionalLight;
 import simpleray.scene.Material;
+import simpleray.scene.ParallelCamera;
 import simpleray.scene.PerspectiveCamera;
 import simpleray.scene.Plane;
 import simpleray.scene.PointLight;
@@ -120,6 +121,16 @@ class PovExporterTest {
         String rounded = bytes.toString(StandardCharsets.UTF_8).replaceAll("1\\.9{9}\\d*", "2.0").replaceAll("3\\.9{9}\\d*", "4.0");
         assertThat(rounded).matches(
             "camera \\{ perspective location <1.0,2.0,3.0> direction <0.0,0.0,-1.0> right <4.0,0.0,0.0> up <0.0,2.0,0.0> }\n");
+    }
+
+    @Test
+    void parallelCameraIsOrthographic() throws IOException {
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        SceneWriter os = new SceneWriter(bytes);
+        PovWriter.camera(os, new ParallelCamera(new ParallelCamera.View(1, 2, 3, 1, 2, -3, 6), new Vector(1, 0, 0), 2, 1));
+        os.flush();
+        assertThat(bytes.toString(StandardCharsets.UTF_8)).isEqualTo(
+            "camera { orthographic location <1.0,2.0,3.0> direction <0.0,0.0,-1.0> right <0.0,-12.0,0.0> up <6.0,0.0,0.0> }\n");
     }
 
     @Test

@@ -20,6 +20,7 @@ import simpleray.render.RenderRequest;
 import simpleray.render.Stage;
 import simpleray.scene.PerspectiveCamera.Pose;
 import simpleray.scene.Scene;
+import simpleray.scene.SceneSettings;
 import simpleray.text.SceneReader;
 
 /** A ball in a room of six walls, whose rays are drawn from outside. */
@@ -189,6 +190,36 @@ class RayDrawingTest {
         assertThat(all.segments()).anyMatch(segment -> segment.kind() == Kind.NORMAL);
         assertThat(drawing(view).segments()).noneMatch(segment -> segment.kind().isVector());
         assertThat(count(all.picture(100, 100).toBufferedImage(), 0xff7be07b)).isPositive();
+    }
+
+    /** The ray of a pixel at the upper left starts at (-1.25, 1.25, 2), in a frame that is 4 wide and high. */
+    @Test
+    void ofParallelRaysEachStartsAtAPlaceOfItsOwn() throws IOException {
+        scene.settings = SceneSettings.of("parallel 0 0 2 0 0 0 4\nresolution 8 8", "a");
+        segments = RaySegment.of(new RenderRequest().renderer(scene).explainer().story(1, 1), scene);
+        OutsideView view = view(new Point(9, 12, 9));
+        RayDrawing drawing = drawing(view);
+        BufferedImage with = drawing.picture(1, 1).toBufferedImage();
+
+        assertThat(segments.get(0).from()).hasToString("[-1.25,1.25,2.0]");
+        assertThat(isChanged(drawing, with, view.image, -1.25, 1.25)).isTrue();
+        for (int side = -1; side <= 1; side += 2) {
+            assertThat(isChanged(drawing, with, view.image, 2 * side, 0)).as("an edge, dashed if it is hidden").isTrue();
+            assertThat(isChanged(drawing, with, view.image, 0, 2 * side)).as("an edge, dashed if it is hidden").isTrue();
+        }
+    }
+
+    /** {@return whether something is drawn near a point of the plane z = 2} */
+    private static boolean isChanged(RayDrawing drawing, BufferedImage with, BufferedImage without, double atX, double atY) {
+        double[] ends = drawing.ends(new Point(atX, atY, 2), new Point(atX, atY, 2 + 1e-9));
+        for (int y = (int) ends[1] - 5; y <= (int) ends[1] + 5; y++) {
+            for (int x = (int) ends[0] - 5; x <= (int) ends[0] + 5; x++) {
+                if (with.getRGB(x, y) != without.getRGB(x, y)) {
+                    return true;
+                }
+            }
+        }
+        return false;
     }
 
     @Test

@@ -111,6 +111,13 @@ class SceneLintTest {
     }
 
     @Test
+    void parallelRaysStartRoundTheEye() throws IOException {
+        assertThat(warnings("1\n" + BALL + "1 1 1\n0\nparallel 0 0 -1.2  0 0 0  0.1"))
+            .containsExactly("a:2:1: warning: object 1 is around the eye, which sees it from inside");
+        assertThat(warnings("1\n" + BALL + "1 1 1\n0\nparallel 0 0 5  0 0 0  4")).isEmpty();
+    }
+
+    @Test
     void theCameraOfTheFileIsUsed() throws IOException {
         assertThat(warnings("1\n" + BALL + "1 1 1\n0\ncop 0.25\nwindow -9 9 -9 9")).isEmpty();
         assertThat(warnings("1\n" + BALL + "1 1 1\n0\ncamera 0 0 -1.2  0 0 0  40"))

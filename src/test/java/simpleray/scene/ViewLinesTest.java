@@ -36,6 +36,18 @@ class ViewLinesTest {
     }
 
     @Test
+    void aParallelCameraAndUpTakeThePlaceOfACameraAndStayThemselves() throws IOException {
+        SceneSettings view = SceneSettings.of("parallel 1 2 3 4 5 6 7\nup 0 0 1\n", "a");
+
+        assertThat(ViewLines.of(view)).isEqualTo("parallel 1.0 2.0 3.0 4.0 5.0 6.0 7.0\nup 0.0 0.0 1.0\n");
+        assertThat(put(SCENE + "\ncamera 0 0 1 0 0 0 40 # far\n", view))
+            .isEqualTo(SCENE + "\nparallel 1.0 2.0 3.0 4.0 5.0 6.0 7.0 # far\nup 0.0 0.0 1.0\n");
+        assertThat(put(SCENE + "\nup 0 0 2\nparallel 1 2 3 4 5 6 8 # near\n", view))
+            .isEqualTo(SCENE + "\nup 0 0 1.0\nparallel 1 2 3 4 5 6 7.0 # near\n");
+        assertThat(put(SCENE + "\nup 0 0 2\nparallel 1 2 3 4 5 6 8\n# near\n")).isEqualTo(SCENE + '\n' + LINE + "\n# near\n");
+    }
+
+    @Test
     void itComesDirectlyBehindTheLastLightOrSetting() throws IOException {
         assertThat(put(SCENE + " # no lights\n\n# the end\n")).isEqualTo(SCENE + " # no lights\n" + LINE + "\n\n# the end\n");
         assertThat(put(SCENE + "\ndepth 3 # deep\n# the end")).isEqualTo(SCENE + "\ndepth 3 # deep\n" + LINE + "\n# the end");
