@@ -54,7 +54,7 @@ final class Imports {
 
     /** {@return the first line of the error, without the file's name} */
     static String error(ForeignFormat format, String text) {
-        SceneFormatException error = catchThrowableOfType(() -> read(format, text), SceneFormatException.class);
+        SceneFormatException error = catchThrowableOfType(SceneFormatException.class, () -> read(format, text));
         return error.problems().get(0).headline().replace("in/a.file:", "").replace(" error: expected", "");
     }
 }
