@@ -37,7 +37,7 @@ public final class ViewLines {
     public static String of(SceneSettings view) {
         SceneSettings camera = new SceneSettings();
         camera.setCamera(view);
-        return camera.lines();
+        return camera.lines().replaceAll("\\.0(?=\\s)", "");      // a person would not write 90.0
     }
 
     /**

@@ -97,13 +97,23 @@ public final class CameraMenu {
         if (FreeView.isExact(view)) {
             view = FreeView.alone(view);
         }
-        String lines = ViewLines.of(view);
+        String lines = ViewLines.of(shortest(view));
         Toolkit.getDefaultToolkit().getSystemClipboard().setContents(new StringSelection(lines), null);
         window.say("Copied: " + lines.strip().replace("\n", "; "));
     }
 
+    /** {@return a free camera with the shortest numbers that show the same; other settings as they are} */
+    private SceneSettings shortest(SceneSettings view) {
+        if (view == null || view.camera == null) {
+            return view;
+        }
+        SceneSettings other = new SceneSettings();
+        other.camera = ShortView.of(view.camera, picture.imageSize().width, picture.imageSize().height);
+        return other;
+    }
+
     private void save() {
-        SceneSettings view = tool.view();
+        SceneSettings view = shortest(tool.view());
         if (view == null) {
             window.say("There is no view to save: no scene was read");
         } else if (text.get() != null && tool.isOther()) {
@@ -164,7 +174,7 @@ public final class CameraMenu {
             return;
         }
         SceneSettings now = picture.source() == file ? tool.view() : null;
-        if (now != null && ViewLines.of(now).equals(ViewLines.of(view))) {
+        if (now != null && ViewLines.of(shortest(now)).equals(ViewLines.of(view))) {
             tool.adopt();                                     // unless it was moved on meanwhile
         }
         window.say("Saved the view in " + file.name() + file.note());

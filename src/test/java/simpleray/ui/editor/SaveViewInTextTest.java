@@ -19,7 +19,7 @@ import simpleray.ui.picture.RenderJob;
 /** The camera, saved while the scene's text is open beside the picture: nothing that was typed is lost. */
 class SaveViewInTextTest {
     private static final String SCENE = "1\n1  0 0 1 -1  0.2 0.4 0.6  0 0 0  0 0 0  0\n1 1 1\n0\n";
-    private static final String CAMERA = "camera 0.0 0.0 1.7000000000000002 0.0 0.0 -1.0 90.0\n";
+    private static final String CAMERA = "camera 0 0 1.7 0 0 -1 90\n";
 
     @TempDir
     private Path folder;

@@ -52,12 +52,12 @@ class SaveViewTest {
     @Test
     void copyCameraPutsTheLineOnTheClipboard() {
         window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_C);
-        untilClipboard("camera 0.0 0.0 2.0 0.0 0.0 0.0 90.0\n");
-        assertThat(window.status()).isEqualTo("Copied: camera 0.0 0.0 2.0 0.0 0.0 0.0 90.0");
+        untilClipboard("camera 0 0 2 0 0 0 90\n");
+        assertThat(window.status()).isEqualTo("Copied: camera 0 0 2 0 0 0 90");
 
         window.screen.press(KeyEvent.VK_PAGE_UP);
         window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_C);
-        untilClipboard("camera 0.0 0.0 1.7000000000000002 0.0 0.0 -1.0 90.0\n");
+        untilClipboard("camera 0 0 1.7 0 0 -1 90\n");
     }
 
     @Test
@@ -67,7 +67,7 @@ class SaveViewTest {
         window.untilState(RenderJob.State.FINISHED);
         window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_C);
 
-        untilClipboard("window -1.0 3.0 -2.0 2.0\ncop 4.0\n");
+        untilClipboard("window -1 3 -2 2\ncop 4\n");
     }
 
     @Test
@@ -76,7 +76,7 @@ class SaveViewTest {
         save();
         untilSaved();
 
-        assertThat(text()).isEqualTo(SCENE + "camera 0.0 0.0 1.7000000000000002 0.0 0.0 -1.0 90.0\r\n");
+        assertThat(text()).isEqualTo(SCENE + "camera 0 0 1.7 0 0 -1 90\r\n");
         assertThat(SceneFile.read(scene).scene().settings.camera).isEqualTo(moved);
         Screen.until("it is the scene's own", () -> window.picture().request().settings().camera == null);
         window.untilState(RenderJob.State.FINISHED);
@@ -86,7 +86,7 @@ class SaveViewTest {
         moved();
         save();
         untilSaved();
-        assertThat(text()).isEqualTo(SCENE + "camera 0.0 0.0 1.4300000000000002 0.0 0.0 -1.0 90.0\r\n");
+        assertThat(text()).isEqualTo(SCENE + "camera 0 0 1.43 0 0 -1 90\r\n");
     }
 
     @Test
@@ -148,7 +148,7 @@ class SaveViewTest {
         save();
         untilSaved();
 
-        assertThat(text()).isEqualTo(SCENE + "cop 5.0\r\n");
+        assertThat(text()).isEqualTo(SCENE + "cop 5\r\n");
     }
 
     /** {@return the camera, after a step nearer} */
