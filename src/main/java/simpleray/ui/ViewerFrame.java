@@ -26,6 +26,7 @@ import simpleray.ui.file.SceneWatcher;
 import simpleray.ui.inspect.Inspector;
 import simpleray.ui.picture.CameraMenu;
 import simpleray.ui.picture.RenderJob;
+import simpleray.ui.picture.SceneReport;
 import simpleray.ui.picture.SimpleRay;
 import simpleray.ui.picture.ZoomTool;
 import simpleray.ui.widget.Banner;
@@ -63,6 +64,7 @@ final class ViewerFrame extends JFrame implements EditorContext {
     private transient boolean doubting;                       // the next rendering is such a one
     private transient RenderJob told;                         // whose problems are shown
     private String toldText = "";
+    private transient SceneReport faults;                     // of a text that is not rendered; null if it is
 
     /** A window that remembers nothing and leaves the look as it is. */
     ViewerFrame(SceneSource source, RenderRequest request, Runnable closed) {
@@ -81,7 +83,8 @@ final class ViewerFrame extends JFrame implements EditorContext {
         split = new JSplitPane(JSplitPane.VERTICAL_SPLIT, beside, null);
         split.setResizeWeight(1);
         split.setDividerSize(0);                              // until there are problems to show
-        inspector = new Inspector(this, status::showPixel);
+        inspector = new Inspector(this, line -> status.showPixel(line.isBlank() ? document.valueLine() : line));
+        inspector.setPointed(document::pointed);
         PictureDialogs dialogs = new PictureDialogs(this, preferences);
         desktop = new DesktopActions(this, preferences, look, this::lookChanged);
         comparison = new Comparison(this);
@@ -295,11 +298,13 @@ final class ViewerFrame extends JFrame implements EditorContext {
         }
         status.show(job, now, picture.imageSize());
         inspector.update(job);
-        String text = now.problems();
-        if (now.state() != RenderJob.State.READING && (job != told || !text.equals(toldText))) {
+        document.outline().update(job);
+        SceneReport report = faults != null ? faults : new SceneReport(now.problems(), now.findings().places());
+        String text = report.text();
+        if ((faults != null || now.state() != RenderJob.State.READING) && (job != told || !text.equals(toldText))) {
             told = job;
             toldText = text;
-            showProblems(now);
+            showProblems(report);
             document.markProblems(job);
         }
         refreshMenus();
@@ -315,12 +320,26 @@ final class ViewerFrame extends JFrame implements EditorContext {
         menus.refresh(picture.isBusy(), picture.whole() != null && !picture.isBusy(), opened != SceneSource.NONE);
     }
 
-    private void showProblems(RenderJob.Snapshot now) {
-        String text = now.problems();
+    @Override
+    public void showFaults(SceneReport other) {
+        faults = other;
+        told = null;
+        if (picture.job() != null) {
+            refresh();
+        }
+    }
+
+    @Override
+    public void tellValue(String line) {
+        status.showPixel(line);
+    }
+
+    private void showProblems(SceneReport report) {
+        String text = report.text();
         if (text.equals(problems.getText())) {
             return;                                           // the same as before: the selection stays
         }
-        problems.show(text, now.findings().places());
+        problems.show(text, report.places());
         JScrollPane pane = text.isEmpty() ? null : new JScrollPane(problems);
         split.setBottomComponent(pane);
         split.setDividerSize(pane == null ? 0 : DIVIDER);

@@ -2,6 +2,7 @@ package simpleray.ui.editor;
 
 import javax.swing.JComponent;
 import simpleray.ui.file.SceneSource;
+import simpleray.ui.picture.SceneReport;
 import simpleray.ui.picture.ViewerContext;
 import simpleray.ui.widget.Banner;
 
@@ -23,6 +24,20 @@ public interface EditorContext extends ViewerContext {
      * @param source the scene
      */
     void reload(SceneSource source);
+
+    /**
+     * Shows the problems of a text that is not rendered.
+     *
+     * @param faults the problems; null for those of the picture
+     */
+    void showFaults(SceneReport faults);
+
+    /**
+     * Shows in the status bar what a value of the text is, while no pixel is told.
+     *
+     * @param line a line about the value; a blank for none
+     */
+    void tellValue(String line);
 
     /** Shows the scene's name in the title, and whether its text has changes that are not saved. */
     void refreshTitle();

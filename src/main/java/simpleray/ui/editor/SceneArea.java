@@ -1,20 +1,31 @@
 package simpleray.ui.editor;
 
+import java.awt.AWTEvent;
 import java.awt.Color;
+import java.awt.Container;
+import java.awt.Graphics;
+import java.awt.Point;
 import java.awt.event.KeyEvent;
 import java.awt.event.MouseEvent;
+import java.awt.event.MouseWheelEvent;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
+import javax.swing.JScrollPane;
 import javax.swing.KeyStroke;
+import javax.swing.SwingUtilities;
 import javax.swing.ToolTipManager;
 import javax.swing.text.BadLocationException;
+import javax.swing.text.DefaultHighlighter;
 import javax.swing.text.Highlighter;
 import org.fife.ui.rsyntaxtextarea.RSyntaxDocument;
 import org.fife.ui.rsyntaxtextarea.RSyntaxTextArea;
 import org.fife.ui.rsyntaxtextarea.SquiggleUnderlineHighlightPainter;
 import org.fife.ui.rtextarea.Gutter;
 import simpleray.text.Diagnostic;
+import simpleray.text.SourceValue;
 import simpleray.ui.widget.KeyBindings;
+import simpleray.ui.widget.Look;
 import simpleray.ui.widget.WarningIcon;
 
 /** The text of a scene, coloured, with its problems marked. */
@@ -24,6 +35,14 @@ final class SceneArea extends RSyntaxTextArea {
     private static final String[] WINDOWS = {"control ENTER", "control ADD", "control SUBTRACT"};
 
     private final transient List<Mark> marks = new ArrayList<>();
+    private transient ValueTable values = ValueTable.NONE;
+    private final transient List<Object> lit = new ArrayList<>();
+    private transient SourceValue.Thing litThing;
+    private transient ValueTable litOf = ValueTable.NONE;
+    private transient Point pointed;                          // the place of the mouse; null if it is elsewhere
+    private transient Runnable moved = () -> { };
+    private final transient NumberTool numbers = new NumberTool(this);
+    private final transient ColourTool colours = new ColourTool(this);
 
     /** A marked piece of the text, which moves with it. */
     private record Mark(Highlighter.Highlight place, Diagnostic problem) {
@@ -42,7 +61,9 @@ final class SceneArea extends RSyntaxTextArea {
         for (String key : WINDOWS) {
             getInputMap().put(KeyStroke.getKeyStroke(key), "none");
         }
+        numbers.setClicked(colours::choose);
         ToolTipManager.sharedInstance().registerComponent(this);
+        enableEvents(AWTEvent.MOUSE_WHEEL_EVENT_MASK);        // see below
     }
 
     /** Marks problems, each with a wavy line and a sign in the gutter, in place of those that were marked. */
@@ -64,6 +85,16 @@ final class SceneArea extends RSyntaxTextArea {
         } catch (BadLocationException e) {
             throw new IllegalStateException(e);               // all offsets are of this text
         }
+    }
+
+    /** Takes the values of the text. */
+    void setValues(ValueTable other) {
+        values = other;
+        repaint();
+    }
+
+    ValueTable values() {
+        return values;
     }
 
     /** {@return the messages of the marks, each with the text that is marked} */
@@ -112,7 +143,89 @@ final class SceneArea extends RSyntaxTextArea {
         replaceRange(text.substring(same, text.length() - below), same, now.length() - below);
     }
 
-    /** {@return the messages of the problems at a place; null for none} */
+    /** {@return the object or light under the mouse, or else at the caret; null for none} */
+    SourceValue.Thing thing() {
+        int mouse = pointed == null ? -1 : values.at(viewToModel2D(pointed));
+        int i = mouse >= 0 && values.value(mouse).thing() != null ? mouse : values.at(getCaretPosition());
+        return i < 0 ? null : values.value(i).thing();
+    }
+
+    /** Lights up the values of an object or light; null for none. */
+    void light(SourceValue.Thing thing) {
+        if (values == litOf && Objects.equals(thing, litThing)) {
+            return;
+        }
+        litOf = values;
+        litThing = thing;
+        lit.forEach(getHighlighter()::removeHighlight);
+        lit.clear();
+        DefaultHighlighter.DefaultHighlightPainter painter = new DefaultHighlighter.DefaultHighlightPainter(
+            Look.isDark(this) ? new Color(0x5C4A12) : new Color(0xFFE9B0));
+        try {
+            for (int i : values.of(thing)) {
+                lit.add(getHighlighter().addHighlight(values.start(i), values.end(i), painter));
+            }
+        } catch (BadLocationException e) {
+            throw new IllegalStateException(e);               // the values are of this text
+        }
+    }
+
+    /** Sets what is called when another place of the text is under the mouse. */
+    void setMoved(Runnable other) {
+        moved = other;
+    }
+
+    /** {@return the values that are lit up} */
+    List<String> lit() {
+        return lit.stream().map(Highlighter.Highlight.class::cast)
+            .map(place -> getText().substring(place.getStartOffset(), place.getEndOffset())).toList();
+    }
+
+    NumberTool numbers() {
+        return numbers;
+    }
+
+    ColourTool colours() {
+        return colours;
+    }
+
+    @Override
+    protected void paintComponent(Graphics g) {
+        super.paintComponent(g);
+        colours.paint(g);
+    }
+
+    @Override
+    protected void processMouseEvent(MouseEvent e) {
+        if (e.getID() == MouseEvent.MOUSE_EXITED) {
+            pointed = null;
+            moved.run();
+        }
+        if (!numbers.takes(e)) {
+            super.processMouseEvent(e);
+        }
+    }
+
+    @Override
+    protected void processMouseMotionEvent(MouseEvent e) {
+        pointed = e.getPoint();
+        moved.run();
+        if (!numbers.takes(e)) {
+            super.processMouseMotionEvent(e);
+        }
+    }
+
+    @Override
+    protected void processMouseWheelEvent(MouseWheelEvent e) {
+        Container pane = SwingUtilities.getAncestorOfClass(JScrollPane.class, this);
+        if (numbers.takes(e)) {
+            e.consume();
+        } else if (pane != null) {                            // which would have it, did this not ask for it
+            pane.dispatchEvent(SwingUtilities.convertMouseEvent(this, e, pane));
+        }
+    }
+
+    /** {@return the messages of the problems at a place, or else what the value there is; null for none} */
     @Override
     public String getToolTipText(MouseEvent e) {
         int at = viewToModel2D(e.getPoint());
@@ -122,7 +235,11 @@ final class SceneArea extends RSyntaxTextArea {
                 tip.append(tip.length() == 0 ? "" : "\n").append(mark.problem.message());
             }
         }
-        return tip.length() == 0 ? null : tip.toString();
+        if (tip.length() > 0) {
+            return tip.toString();                            // which names the value
+        }
+        int i = values.at(at);
+        return i >= 0 && at < values.end(i) ? values.value(i).toString() : null;
     }
 
     @Override

@@ -8,12 +8,16 @@ import java.util.List;
 import javax.swing.Action;
 import javax.swing.JComponent;
 import simpleray.io.OutputTarget;
+import simpleray.scene.SceneSettings;
 import simpleray.text.Diagnostic;
+import simpleray.text.SourceValue;
 import simpleray.ui.file.MeshCopies;
 import simpleray.ui.file.MeshNames;
 import simpleray.ui.file.Samples;
 import simpleray.ui.file.SceneSource;
+import simpleray.ui.picture.ObjectOutline;
 import simpleray.ui.picture.RenderJob;
+import simpleray.ui.picture.SceneReport;
 import simpleray.ui.widget.KeyBindings;
 
 /**
@@ -35,6 +39,11 @@ public final class SceneDocument {
     private boolean changed;
     private SceneSource own;                                  // of the text that was rendered without saving it
     private String ownText;
+    private final TextChecker checker;
+    private final ObjectOutline outline;
+    private Runnable next = () -> { };                        // once the text is checked
+    private int pointed;                                      // the object under the mouse in the picture; 0 for none
+    private boolean renders = true;                           // what is typed, by itself
 
     /**
      * Creates a document without a scene.
@@ -44,6 +53,8 @@ public final class SceneDocument {
     public SceneDocument(EditorContext window) {
         this.window = window;
         disk = new SceneDisk(window.workers().finishing("simpleray-editing"));
+        outline = new ObjectOutline(window);
+        checker = new TextChecker(window.workers().stopping("simpleray-checking"), this::text, text -> source.edited(text), this::checked);
     }
 
     /**
@@ -63,6 +74,7 @@ public final class SceneDocument {
         if (shown && source != SceneSource.NONE) {
             read(() -> { });
         }
+        window.showFaults(null);
         refresh();
     }
 
@@ -86,6 +98,8 @@ public final class SceneDocument {
         if (shown) {
             shown = false;
             window.banner().hide(TEXT);
+            window.tellValue(" ");
+            outline.show(0);
             window.showBeside(null);
             window.picture().requestFocusInWindow();
         } else {
@@ -112,7 +126,7 @@ public final class SceneDocument {
 
     private void make() {
         if (editor == null) {
-            editor = new SceneEditor(this::refresh);
+            editor = new SceneEditor(this::textChanged, this::valueChanged);
             editor.area().setEnabled(false);
             KeyBindings.bind(editor.area(), JComponent.WHEN_FOCUSED, "control S", this::save);
         }
@@ -145,6 +159,131 @@ public final class SceneDocument {
             markProblems(window.picture().job());
             then.run();
         });
+    }
+
+    /** Tells what the value at the caret is, and lights up the object at hand: the one under the mouse, or else at the caret. */
+    private void valueChanged() {
+        window.tellValue(valueLine());
+        light();
+    }
+
+    /**
+     * Takes notice of the object under the mouse in the picture.
+     *
+     * @param number its number, from 1; 0 for none
+     */
+    public void pointed(int number) {
+        if (pointed != number) {
+            pointed = number;
+            light();
+        }
+    }
+
+    private void light() {
+        if (shown) {
+            SourceValue.Thing thing = pointed > 0 ? editor.area().values().object(pointed) : editor.area().thing();
+            editor.area().light(thing);
+            outline.show(thing == null || !thing.what().equals("object") ? 0 : thing.number());
+        }
+    }
+
+    /** {@return what lights up objects in the picture} */
+    public ObjectOutline outline() {
+        return outline;
+    }
+
+    private void textChanged() {
+        refresh();
+        if (editor.area().numbers().isChanging()) {
+            checker.now();                                    // the picture follows the mouse
+        } else {
+            checker.changed();
+        }
+    }
+
+    /** Takes what was found in the text, unless it has changed meanwhile: then it is read again. Renders it, if it is right. */
+    private void checked(TextChecker.Check check) {
+        if (saved == null || !editor.holds(check.text())) {
+            return;
+        }
+        editor.setValues(new ValueTable(check.text(), check.values().all()));
+        boolean rendered = isRendered(check.text());
+        if (changed && check.failure() != null) {
+            fault(SceneReport.of(check.failure(), source.name()));
+        } else if (rendered || renders) {
+            window.showFaults(null);
+            if (!rendered) {
+                own = check.source();
+                ownText = check.text();
+                window.picture().setSource(changed ? own : source);
+                window.picture().restart();
+            }
+        } else {
+            fault(SceneReport.of(check.file() == null ? List.of() : check.file().warnings()));
+        }
+        Runnable task = next;
+        next = () -> { };
+        task.run();
+    }
+
+    private void fault(SceneReport report) {
+        window.showFaults(report);
+        mark(report);
+    }
+
+    private void mark(SceneReport report) {
+        String name = source.name();
+        editor.mark(report.places().stream().filter(problem -> problem.file().equals(name)).toList());
+    }
+
+    private boolean isRendered(String text) {
+        SceneSource now = window.picture().source();
+        return now == own ? text.equals(ownText) : now == source && !changed;
+    }
+
+    /** {@return what the value at the caret is; a blank for none} */
+    public String valueLine() {
+        return shown ? editor.valueLine() : " ";
+    }
+
+    /** {@return the settings of the picture; null if there is none} */
+    SceneSettings settings() {
+        RenderJob job = window.picture().job();
+        return job == null ? null : job.snapshot().settings();
+    }
+
+    /** Shows the text, and then does something with it and its values. */
+    private void withValues(Runnable task) {
+        show(() -> {
+            next = task;
+            checker.now();
+        });
+    }
+
+    /** Adds the line of an object or light to the text, which is shown, behind those that are there. */
+    void insert(String what, String line) {
+        withValues(() -> {
+            if (!editor.insert(what, line)) {
+                window.say("The text has no number of " + what + "s that could be raised: see its problems");
+            }
+        });
+    }
+
+    /** Lets the user pick the colour at the caret. */
+    void chooseColour() {
+        withValues(() -> {
+            if (!editor.area().colours().choose(editor.area().values().at(editor.area().getCaretPosition()))) {
+                window.say("There is no colour at the caret: put it on a red, green or blue");
+            }
+        });
+    }
+
+    /** Renders what is typed after a pause, or only on request. */
+    void setRenders(boolean byItself) {
+        renders = byItself;
+        if (saved != null) {
+            checker.now();
+        }
     }
 
     private void take(SceneDisk.Answer answer) {
@@ -217,6 +356,7 @@ public final class SceneDocument {
             window.picture().reload();
             return;
         }
+        window.showFaults(null);
         ownText = editor.text();
         byte[] text = ownText.getBytes(StandardCharsets.UTF_8);
         own = source.edited(text);
@@ -372,8 +512,7 @@ public final class SceneDocument {
             return;
         }
         if (job.source() == own ? editor.holds(ownText) : job.source() == source && !changed) {
-            String name = source.name();
-            editor.mark(job.snapshot().findings().places().stream().filter(problem -> problem.file().equals(name)).toList());
+            mark(job.snapshot().findings());
         }
     }
 

@@ -11,6 +11,7 @@ import simpleray.ui.widget.KeyBindings;
 public final class SceneMenu {
     private final JMenu menu = new JMenu("Scene");
     private final JCheckBoxMenuItem text;
+    private final JMenu insert;
     private final SceneDocument document;
     private final Action saveAs;
     private final List<Action> all;
@@ -28,16 +29,24 @@ public final class SceneMenu {
         Action render = KeyBindings.action("Render Text", "control ENTER", document::render);
         Action save = KeyBindings.action("Save Scene", "control shift S", document::save);
         saveAs = KeyBindings.action("Save Scene As\u2026", "control alt S", document::saveAs);
+        Action colour = KeyBindings.action("Choose Colour\u2026", "control shift P", document::chooseColour);
         Action find = KeyBindings.action("Find in Text\u2026", "control F", document::find);
         Action next = KeyBindings.action("Next Problem", "F4", () -> problems.step(1));
         Action previous = KeyBindings.action("Previous Problem", "shift F4", () -> problems.step(-1));
+        JCheckBoxMenuItem renders = new JCheckBoxMenuItem("Render While Typing", true);
+        renders.addActionListener(e -> document.setRenders(renders.isSelected()));
         menu.add(render);
+        menu.add(renders);
         menu.add(save);
+        menu.addSeparator();
+        insert = new InsertMenu(document).menu();
+        menu.add(insert);
+        menu.add(colour);
         menu.addSeparator();
         menu.add(find);
         menu.add(next);
         menu.add(previous);
-        all = List.of(text.getAction(), render, save, saveAs, find, next, previous);
+        all = List.of(text.getAction(), render, save, saveAs, colour, find, next, previous);
     }
 
     /** {@return the action that begins a new scene} */
@@ -67,6 +76,7 @@ public final class SceneMenu {
      */
     public void refresh(boolean opened) {
         all.forEach(action -> action.setEnabled(opened));
+        insert.setEnabled(opened);
         text.setSelected(document.isShown());
     }
 }

@@ -1,5 +1,6 @@
 package simpleray.ui.file;
 
+import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -7,6 +8,7 @@ import java.util.List;
 import simpleray.scene.Reach;
 import simpleray.scene.Scene;
 import simpleray.scene.SceneFile;
+import simpleray.text.SourceValues;
 
 /** Where a window's scene comes from; it can be read again and again. Any thread may call. */
 public interface SceneSource {
@@ -34,6 +36,18 @@ public interface SceneSource {
      * @throws IOException if it cannot be read
      */
     SceneFile read() throws IOException;
+
+    /**
+     * Reads the scene's text, and lists its values. The next {@link #read} of the same text may return what this has read.
+     *
+     * @param values gets the values; up to the first error after which the rest cannot be read
+     * @return the scene
+     * @throws simpleray.text.SceneFormatException if it is no scene
+     * @throws IOException if it cannot be read
+     */
+    default SceneFile check(SourceValues values) throws IOException {
+        return SceneFile.read(new ByteArrayInputStream(text()), home(), reach(), values);
+    }
 
     /** {@return the scene's file; null if it is none that could be watched or written} */
     default Path path() {

@@ -2,16 +2,18 @@ package simpleray.ui.file;
 
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
-import java.io.InputStream;
 import java.nio.file.Path;
+import java.util.concurrent.atomic.AtomicReference;
 import simpleray.scene.Reach;
 import simpleray.scene.SceneFile;
+import simpleray.text.SourceValues;
 
 /** A scene's text in memory: from standard input, or not, or not yet, in the scene's file. Any thread may call. */
 final class TextSource implements SceneSource {
     private final Path path;                                  // null for standard input
     private final byte[] text;
     private final Reach reach;
+    private final AtomicReference<SceneFile> checked = new AtomicReference<>();      // for the next reading
 
     TextSource(Path path, byte[] text, Reach reach) {
         this.path = path;
@@ -41,7 +43,18 @@ final class TextSource implements SceneSource {
 
     @Override
     public SceneFile read() throws IOException {
-        InputStream in = new ByteArrayInputStream(text);
-        return path == null ? SceneFile.read(in, reach) : SceneFile.read(in, path, reach);
+        SceneFile known = checked.getAndSet(null);
+        return known != null ? known : read(null);
+    }
+
+    @Override
+    public SceneFile check(SourceValues values) throws IOException {
+        SceneFile file = read(values);
+        checked.set(file);
+        return file;
+    }
+
+    private SceneFile read(SourceValues values) throws IOException {
+        return SceneFile.read(new ByteArrayInputStream(text), path, reach, values);
     }
 }

@@ -15,6 +15,7 @@ import java.util.concurrent.CancellationException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Future;
 import java.util.function.Consumer;
+import java.util.function.IntConsumer;
 import javax.swing.BorderFactory;
 import javax.swing.JCheckBox;
 import javax.swing.JCheckBoxMenuItem;
@@ -51,6 +52,7 @@ public final class Inspector {
     private final SimpleRay picture;
     private final Consumer<String> hoverLine;
     private final Consumer<String> status;
+    private IntConsumer pointed = number -> { };
     private final Lazy<StoryPane> pane = new Lazy<>(() -> new StoryPane(this::copy, this::closeStory, this::chooseRay));
     private final Lazy<RaysPane> rays;
     private final JCheckBoxMenuItem raysItem = new JCheckBoxMenuItem(KeyBindings.action("Rays", "V", this::toggleRays));
@@ -386,9 +388,19 @@ public final class Inspector {
         }
     }
 
+    /**
+     * Sets a listener for the object under the mouse.
+     *
+     * @param other gets the object's number, from 1; 0 if there is none
+     */
+    public void setPointed(IntConsumer other) {
+        pointed = other;
+    }
+
     private void hover(Point pixel) {
         hovered = pixel;
         if (pixel == null || shown == null) {
+            pointed.accept(0);
             hoverLine.accept(" ");
         } else {
             tellLine(pixel);
@@ -425,6 +437,7 @@ public final class Inspector {
             }
         } else {
             String colours = PixelLine.colours(shown.snapshot().picture(), pixel, picture);
+            pointed.accept(hovered == null || thing == null ? 0 : thing.number());
             hoverLine.accept(colours == null ? " " : colours + "   " + (thing == null ? "background" : StoryText.object(thing)));
         }
     }

@@ -20,8 +20,12 @@ public record SceneReport(String text, List<Diagnostic> places) {
     /** Nothing is wrong. */
     static final SceneReport NONE = new SceneReport("", List.of());
 
-    /** {@return warnings, or errors} */
-    static SceneReport of(List<Diagnostic> problems) {
+    /**
+     * {@return warnings, or errors}
+     *
+     * @param problems the problems
+     */
+    public static SceneReport of(List<Diagnostic> problems) {
         return new SceneReport(problems.stream().map(Diagnostic::toString).collect(Collectors.joining("\n")), problems);
     }
 
@@ -30,8 +34,13 @@ public record SceneReport(String text, List<Diagnostic> places) {
         return of(Stream.concat(scene.warnings().stream(), SceneLint.striking(scene, name).stream()).toList());
     }
 
-    /** {@return why a scene could not be read} */
-    static SceneReport of(IOException failure, String name) {
+    /**
+     * {@return why a scene could not be read}
+     *
+     * @param failure what reading it threw
+     * @param name the scene's name
+     */
+    public static SceneReport of(IOException failure, String name) {
         if (failure instanceof SceneFormatException bad) {    // its message is the whole report
             return new SceneReport(bad.getMessage(), bad.problems());
         }

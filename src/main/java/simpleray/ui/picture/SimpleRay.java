@@ -48,6 +48,7 @@ public final class SimpleRay extends ZoomedComponent implements Runnable {
     private transient RenderJob seen;                         // the one whose runs are in the image; null for none
     private transient boolean shown;                          // a run of this rendering is in the image
     private transient BufferedImage marks;                    // painted over the picture; null for none
+    private transient BufferedImage lit;                      // painted over the picture, likewise
     private transient Runnable listener = () -> { };
     private transient Consumer<Graphics2D> mark = canvas -> { };
     private transient Predicate<MouseEvent> grip = press -> false;
@@ -97,8 +98,8 @@ public final class SimpleRay extends ZoomedComponent implements Runnable {
     }
 
     /**
-     * Renders the scene that was last read as is asked for now, by another camera for example. May be called as often as the mouse moves:
-     * while the picture before is not yet seen, it waits for that a short time.
+     * Renders the scene as is asked for now, by another camera for example; it is read only if it is another than the one that was last read.
+     * May be called as often as the mouse moves: while the picture before is not yet seen, it waits for that a short time.
      */
     public void restart() {
         again = true;
@@ -114,7 +115,9 @@ public final class SimpleRay extends ZoomedComponent implements Runnable {
         RenderJob.Snapshot now = job.snapshot();
         if (again && (now.state().ended() || now.hasScene() && (shown || now.age(System.nanoTime()) > MAX_WAIT))) {
             RenderJob last = lastRead();
-            if (last != null) {
+            if (last == null) {
+                start();                                      // another text of the scene
+            } else {
                 SceneReport known = last == job ? SceneReport.NONE : now.findings();
                 begin(new RenderJob(last, known, request, regions.region(), regions.isAlone()), shown && request == job.request());
             }
@@ -237,6 +240,9 @@ public final class SimpleRay extends ZoomedComponent implements Runnable {
             if (marks != null) {
                 placed().paint(screen, marks, ui());
             }
+            if (lit != null) {
+                placed().paint(screen, lit, ui());
+            }
             regions.paint(screen, place);
             mark.accept(screen);
         }
@@ -317,6 +323,14 @@ public final class SimpleRay extends ZoomedComponent implements Runnable {
     public void setMarks(BufferedImage other) {
         if (marks != other) {
             marks = other;
+            repaint();
+        }
+    }
+
+    /** Sets an image that is painted over the picture and its marks, of its size; null for nothing. */
+    void setLit(BufferedImage other) {
+        if (lit != other) {
+            lit = other;
             repaint();
         }
     }
