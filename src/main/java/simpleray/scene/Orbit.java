@@ -1,5 +1,6 @@
 package simpleray.scene;
 
+import simpleray.math.Point;
 import simpleray.math.Ray;
 import simpleray.math.Vector;
 import simpleray.scene.ParallelCamera.View;
@@ -175,6 +176,66 @@ public record Orbit(double x, double y, double z, double yaw, double pitch, doub
         }
         double least = Math.max(NEAREST, NEAREST_SHARE * Math.max(Math.abs(x), Math.max(Math.abs(y), Math.abs(z))));
         return sound(moved(new Vector(), Math.max(distance * factor, Math.min(distance, least))));
+    }
+
+    /**
+     * Moves the camera towards a point or away from it, which stays where it is in the picture, and changes the distance by the same factor.
+     *
+     * @param factor the factor of the distances, above 0
+     * @param to the point
+     * @return the moved camera
+     */
+    public Orbit dollied(double factor, Point to) {
+        Pose before = pose();
+        Orbit nearer = dollied(factor);
+        double way = 1 - nearer.distance / distance;
+        double right = way * (to.x - before.ex());
+        double up = way * (to.y - before.ey());
+        double back = way * (to.z - before.ez());
+        Pose after = nearer.pose();                           // which went straight to the pivot
+        return nearer.sound(x + right + before.ex() - after.ex(), y + up + before.ey() - after.ey(), z + back + before.ez() - after.ez(),
+            yaw, pitch, nearer.distance);
+    }
+
+    /**
+     * Stops the camera before a surface that is in its way from where it was, along which it slides.
+     *
+     * @param before the camera before it was moved to here
+     * @param scene the scene
+     * @return this camera; or one that looks the same way if only its place has changed, else at the same pivot
+     */
+    public Orbit stopped(Orbit before, Scene scene) {
+        Pose from = before.pose();
+        Pose to = pose();
+        Point end = EyePath.end(scene, new Point(from.ex(), from.ey(), from.ez()), new Point(to.ex(), to.ey(), to.ez()),
+            EyePath.MARGIN * before.distance);
+        double dx = end.x - to.ex();
+        double dy = end.y - to.ey();
+        double dz = end.z - to.ez();
+        if (dx == 0 && dy == 0 && dz == 0) {
+            return this;
+        }
+        if (before.yaw == yaw && before.pitch == pitch) {
+            return sound(x + dx, y + dy, z + dz, yaw, pitch, distance);
+        }
+        Pose slid = new Pose(end.x, end.y, end.z, x, y, z, fov);
+        return slid.fault() == null ? of(slid) : before;
+    }
+
+    /**
+     * Finds what a pixel shows.
+     *
+     * @param scene the scene
+     * @param width the picture's width in pixels
+     * @param height its height
+     * @param px the place across, from the left, in pixels
+     * @param py the place down, from the top
+     * @return the point that is seen there; if that is no object, one as far away as the pivot
+     */
+    public Point seenAt(Scene scene, int width, int height, double px, double py) {
+        Ray ray = new PerspectiveCamera(pose(), width, height).through(px, py);
+        Hit hit = new Hit();
+        return ray.getPointAt(new BruteForceIntersector(scene).intersect(ray, hit) ? hit.t : distance);
     }
 
     /**

@@ -37,6 +37,7 @@ import simpleray.ui.widget.Workers;
 final class ViewerFrame extends JFrame implements EditorContext {
     private static final long serialVersionUID = 1L;
     private static final int DIVIDER = 6;
+    private static final int LINES = 46;                      // the height of two lines of problems
     private static final double HALF = 0.5;
     private static final String GONE = "gone";
     /** Milliseconds that a changed file with errors has to become whole: another program may still be writing it. */
@@ -104,6 +105,7 @@ final class ViewerFrame extends JFrame implements EditorContext {
         picture.setListener(this::refresh);
         status.addRight(ZoomTool.label(picture));
         setMinimumSize(new Dimension(320, 240));
+        picture.setSpare(picture.spare().width, DIVIDER + LINES);
         desktop.placeWindow();
         validate();                                           // problems that are known at once find how high the window is
         open(source);
@@ -341,10 +343,13 @@ final class ViewerFrame extends JFrame implements EditorContext {
         }
         problems.show(text, report.places());
         JScrollPane pane = text.isEmpty() ? null : new JScrollPane(problems);
+        picture.setSpare(picture.spare().width, pane == null ? DIVIDER + LINES : 0);
         split.setBottomComponent(pane);
         split.setDividerSize(pane == null ? 0 : DIVIDER);
         if (pane != null) {
-            split.setDividerLocation(split.getHeight() - split.getDividerSize() - pane.getPreferredSize().height);
+            // warnings of a picture that is there take the room that it has left for them
+            int height = picture.seen() == null || now.state() == RenderJob.State.FAILED ? pane.getPreferredSize().height : LINES;
+            split.setDividerLocation(split.getHeight() - split.getDividerSize() - height);
         }
     }
 }

@@ -38,11 +38,15 @@ import simpleray.ui.file.SceneSource;
 import simpleray.ui.picture.RenderJob;
 import simpleray.ui.picture.SimpleRay;
 import simpleray.ui.picture.ViewerContext;
+import simpleray.ui.picture.Zoom;
 import simpleray.ui.widget.Banner;
 import simpleray.ui.widget.Look;
 
 /** A window for a test. All methods are for the test's thread unless they say otherwise. */
 public final class OpenWindow implements AutoCloseable {
+    private static final int MIN_WIDTH = 760;
+    private static final int MIN_HEIGHT = 560;
+
     public final Screen screen = new Screen();
     public final JFrame frame;
     public final AtomicBoolean closed = new AtomicBoolean();
@@ -66,6 +70,10 @@ public final class OpenWindow implements AutoCloseable {
         viewer = ask(() -> {
             FlatLightLaf.setup();
             ViewerFrame made = new ViewerFrame(source, request(width, height), () -> closed.set(true));
+            made.picture().setZoom(new Zoom(false, 1), null);  // so that tests find its pixels on the screen
+            made.pack();                                      // however large the screen is
+            made.setSize(Math.max(MIN_WIDTH, made.getWidth()), Math.max(MIN_HEIGHT, made.getHeight()));
+            made.validate();
             first.accept(made);
             made.setVisible(true);
             made.toFront();

@@ -8,6 +8,7 @@ import java.awt.Robot;
 import java.awt.image.BufferedImage;
 import java.awt.image.MultiResolutionImage;
 import java.util.List;
+import simpleray.render.RenderRequest;
 import simpleray.ui.file.SceneSource;
 import simpleray.ui.picture.RenderJob;
 import simpleray.ui.picture.Zoom;
@@ -31,6 +32,16 @@ final class ScaledDesktop {
             }
             OpenWindow.run(() -> window.picture().setZoom(new Zoom(false, 2), null));
             Screen.until("each pixel of the picture is a square of four", () -> shows(window, whole, 2));
+            OpenWindow.run(() -> {
+                window.picture().setZoom(new Zoom(true, 1), null);
+                window.picture().setRequest(new RenderRequest());
+                window.picture().start();
+            });
+            Screen.until("without a size it is as large as its room, in pixels of the screen", () -> {
+                Zoom.Place place = window.picture().placed();
+                double shorter = Math.min(window.scroll().getHeight(), window.scroll().getWidth()) * window.picture().ui();
+                return window.picture().job().state() == RenderJob.State.FINISHED && place.scale() == 1 && place.height() > 0.8 * shorter;
+            });
         }
     }
 

@@ -97,7 +97,7 @@ public final class Comparison {
         latest = null;
         shown.setMarks(null);
         if (whole != null && FinishedRender.canKeep(whole)) {
-            look(whole, shown.source(), shown.job().request(), shown.job().snapshot().seconds());
+            look(whole, shown.source(), shown.job().snapshot().request(), shown.job().snapshot().seconds());
         }
     }
 

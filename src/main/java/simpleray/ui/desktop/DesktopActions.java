@@ -157,10 +157,10 @@ public final class DesktopActions {
         RenderJob.Snapshot now = job == null ? null : job.snapshot();
         if (whole != null) {
             if (made == null || made.picture != whole) {
-                made = new Made(whole, shown.source(), job.request());
+                made = new Made(whole, shown.source(), now.request());
             }
         } else if (now != null && now.isAlone() && now.state() == RenderJob.State.FINISHED && !shown.isBusy()) {
-            made = new Made(null, shown.source(), job.request().with(now.region()));
+            made = new Made(null, shown.source(), now.request().with(now.region()));
         } else {
             made = null;
         }

@@ -19,6 +19,9 @@ final class WindowPlace {
     private static final int GRIP_HEIGHT = 24;
     /** How large a window is at first, at least. */
     private static final Dimension MIN = new Dimension(760, 560);
+    /** The share of the screen that it takes at first, of a screen up to some size. */
+    private static final double SHARE = 0.8;
+    private static final Dimension LARGE = new Dimension(1600, 1200);
 
     private final JFrame frame;
     private final Preferences preferences;
@@ -32,8 +35,8 @@ final class WindowPlace {
             frame.setLocationByPlatform(true);
             frame.pack();
             Dimension screen = frame.getToolkit().getScreenSize();
-            int width = Math.min(screen.width, Math.max(MIN.width, frame.getWidth()));
-            frame.setSize(width, Math.min(screen.height, Math.max(MIN.height, frame.getHeight())));
+            frame.setSize(side(screen.width, LARGE.width, MIN.width, frame.getWidth()),
+                side(screen.height, LARGE.height, MIN.height, frame.getHeight()));
         } else {
             frame.setBounds(place);
             frame.addNotify();                                // there, and never known to the desktop elsewhere
@@ -54,6 +57,10 @@ final class WindowPlace {
             }
         };
         frame.addComponentListener(listener);
+    }
+
+    private static int side(int screen, int large, int least, int needed) {
+        return Math.min(screen, Math.max((int) (SHARE * Math.min(screen, large)), Math.max(least, needed)));
     }
 
     private void note() {

@@ -142,6 +142,7 @@ public final class Inspector {
         picture.addMouseMotionListener(mouse);
         picture.setMark(this::paintCursor);
         picture.setGrip(this::isGrip);
+        picture.setSpare(DIVIDER + StoryPane.WIDTH, picture.spare().height);
     }
 
     /** {@return a menu about single pixels} */
@@ -268,7 +269,7 @@ public final class Inspector {
             cursor = null;
             beside.setRightComponent(null);
             beside.setDividerSize(0);
-            picture.repaint();
+            picture.setSpare(DIVIDER + StoryPane.WIDTH, picture.spare().height);
         }
         picture.requestFocusInWindow();
     }
@@ -479,7 +480,11 @@ public final class Inspector {
         }
         story = told;
         untold = null;
-        arrange();
+        if (focus || isOpen()) {
+            arrange();
+        } else {
+            picture.keepPlace(this::arrange);                 // what was clicked stays under the mouse
+        }
         if (root != null && storyWanted) {
             pane.get().show("Pixel " + told.x() + ", " + told.y(), root, focus);
         }
@@ -509,14 +514,21 @@ public final class Inspector {
         panes.setBottomComponent(right == panes ? below : null);
         beside.setRightComponent(right);
         beside.setDividerSize(DIVIDER);
+        picture.setSpare(0, picture.spare().height);
         int half = beside.getWidth() / 2;
-        beside.setDividerLocation(keep ? divider : wide ? half
-            : Math.max(half, beside.getWidth() - DIVIDER - pane.get().getPreferredSize().width));
+        beside.setDividerLocation(keep ? divider : wide ? half : besideClick(Math.max(half,
+            beside.getWidth() - DIVIDER - pane.get().getPreferredSize().width)));
         beside.validate();
         if (right == panes) {
             panes.setDividerLocation(RAYS_SHARE);
             panes.validate();
         }
+    }
+
+    /** {@return a place of the divider so far to the right that it does not cover the pixel that the story is about} */
+    private int besideClick(int divider) {
+        int pixel = SwingUtilities.convertRectangle(picture, place(cursor), beside).x + DIVIDER * FRAME;
+        return Math.max(divider, Math.min(pixel, beside.getWidth() - DIVIDER - pane.get().getMinimumSize().width));
     }
 
     private void cancelTelling() {

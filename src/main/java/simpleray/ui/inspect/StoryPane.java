@@ -27,7 +27,8 @@ import simpleray.scene.RayTree;
 /** The story of a pixel as a tree: each line below the one it belongs to, to be opened where one wants to know more. */
 final class StoryPane extends JPanel {
     private static final long serialVersionUID = 1L;
-    private static final int WIDTH = 400;
+    /** The width at first. */
+    static final int WIDTH = 400;
     private static final int INDENT = 20;
     /** Lines above this level are open at first: down to the hit and the share of each light. */
     private static final int OPEN = 3;

@@ -40,6 +40,7 @@ public final class RenderJob {
     private final boolean alone;
     private final PixelRunQueue runs = new PixelRunQueue();
     private final Thread thread;
+    private int room;
 
     private final AtomicReference<Snapshot> latest;
     private volatile boolean cancelled;
@@ -68,9 +69,9 @@ public final class RenderJob {
     private record LoadedScene(SceneFile film, SceneFile file, PreparedScene prepared) {
     }
 
-    /** The renderer, its request and its start; renderer and image are null once they are dropped. */
-    private record Run(Renderer renderer, ProgressiveImage image, Progress progress, SceneSettings settings, Region region, boolean alone,
-                       long begun) {
+    /** The renderer, its request with the size and its start; renderer and image are null once they are dropped. */
+    private record Run(Renderer renderer, ProgressiveImage image, Progress progress, RenderRequest request, SceneSettings settings,
+                       Region region, boolean alone, long begun) {
     }
 
     /**
@@ -92,6 +93,11 @@ public final class RenderJob {
         /** {@return the scene, not to be changed; null until it is read} */
         public Scene scene() {
             return loaded == null ? null : loaded.file.scene();
+        }
+
+        /** {@return what was asked for, with the size that it has of the window; null before rendering has begun} */
+        public RenderRequest request() {
+            return run == null ? null : run.request;
         }
 
         /** {@return the settings of the picture, from the scene and from what was asked for; null before rendering has begun} */
@@ -184,6 +190,11 @@ public final class RenderJob {
         runs.whenCoarse(task);
     }
 
+    /** Sets how many pixels each side has of a picture whose size nobody asks for; 0 for the command line's. Call before the start. */
+    void setRoom(int side) {
+        room = side;
+    }
+
     void start() {
         thread.start();
     }
@@ -273,7 +284,7 @@ public final class RenderJob {
     /** Drops all but the scene, after it was cancelled. */
     void forget() {
         latest.updateAndGet(now -> new Snapshot(now.state, now.loaded, now.run == null ? null : new Run(null, null, now.run.progress,
-            now.run.settings, now.run.region, now.run.alone, now.run.begun), now.findings, now.failure, now.took));
+            now.run.request, now.run.settings, now.run.region, now.run.alone, now.run.begun), now.findings, now.failure, now.took));
         runs.clear();
     }
 
@@ -327,16 +338,27 @@ public final class RenderJob {
         return end.loaded;
     }
 
+    /** {@return what was asked for; with the size of the room, if neither that nor the scene says one} */
+    private RenderRequest sized(Scene scene) {
+        if (room <= 0 || Setting.RESOLUTION.isSet(request.settings()) || Setting.RESOLUTION.isSet(scene.settings)) {
+            return request;
+        }
+        SceneSettings all = new SceneSettings().under(request.settings());
+        all.resolution = new SceneSettings.Resolution(room, room);
+        return request.with(all);
+    }
+
     private void render(LoadedScene scene) {
-        Renderer renderer = scene.prepared.renderer(request);
+        RenderRequest sized = sized(scene.file.scene());
+        Renderer renderer = scene.prepared.renderer(sized);
         Picture picture = renderer.picture();
-        picture.tell(Provenance.of(request, scene.file));
-        SceneSettings settings = request.applyTo(scene.file.scene()).settings;
+        picture.tell(Provenance.of(sized, scene.file));
+        SceneSettings settings = sized.applyTo(scene.file.scene()).settings;
         Region part = region != null && region.isWithin(picture.width(), picture.height()) ? region : null;   // not that of a larger one
         boolean only = alone && part != null;
         Progress progress = new Progress(only ? part.height() : picture.height(), System.nanoTime());
-        Run run = new Run(renderer, new ProgressiveImage(picture.width(), picture.height()), progress, settings, part, only,
-            System.nanoTime());
+        Run run = new Run(renderer, new ProgressiveImage(picture.width(), picture.height()), progress, sized, settings, part,
+            only, System.nanoTime());
         synchronized (this) {
             latest.updateAndGet(now -> new Snapshot(State.RENDERING, scene, run, now.findings, "", 0));
             pause(run);

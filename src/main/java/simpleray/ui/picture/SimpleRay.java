@@ -6,6 +6,8 @@ import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.Point;
 import java.awt.Rectangle;
+import java.awt.event.ComponentAdapter;
+import java.awt.event.ComponentEvent;
 import java.awt.event.MouseEvent;
 import java.awt.image.BufferedImage;
 import java.util.function.Consumer;
@@ -32,9 +34,15 @@ public final class SimpleRay extends ZoomedComponent implements Runnable {
     private static final long HOLD = 120_000_000;
     /** The longest that a new request waits until the picture before is shown, in nanoseconds. */
     private static final long MAX_WAIT = 250_000_000;
+    /** Milliseconds without another change after which a window has its new size. */
+    private static final int SETTLED = 250;
+    /** The share of the memory that a picture may take whose size is the window's. */
+    private static final int SHARE = 8;
     private static final Color SURROUND = new Color(0x3C3F41);
 
     private final transient Timer kicker = new Timer(KICK, e -> run());
+    private final transient Timer settle = new Timer(SETTLED, e -> fitRoom());
+    private transient int side;                               // of pictures whose size nobody asks for; 0 before there is a window
     private transient SceneSource source;
     private transient RenderRequest request;
     private transient ProgressiveImage progressive;           // touched by the event thread alone
@@ -65,6 +73,14 @@ public final class SimpleRay extends ZoomedComponent implements Runnable {
         setName("picture");
         setOpaque(true);
         setFocusable(true);
+        settle.setRepeats(false);
+        addComponentListener(new ComponentAdapter() {
+            @Override
+            public void componentResized(ComponentEvent e) {
+                settle.restart();
+            }
+        });
+        addPropertyChangeListener(ZOOM, e -> settle.restart());
         init();
     }
 
@@ -125,6 +141,35 @@ public final class SimpleRay extends ZoomedComponent implements Runnable {
         }
     }
 
+    /** {@return the side of a picture whose size nobody asks for: it fits its room, unless the user has chosen another scale} */
+    private int side() {
+        int room = room();
+        if (room > 0 && (zoom().fitted() && !isHeld() || side == 0)) {
+            long pixels = Runtime.getRuntime().maxMemory() / SHARE / Picture.bytesNeeded(1, 1);
+            side = Math.max(1, (int) Math.min(room, Math.sqrt(pixels)));
+        }
+        return side;
+    }
+
+    /** {@return whether the picture has the size that it keeps, as far as the room tells} */
+    boolean isSettled() {
+        return !settle.isRunning();
+    }
+
+    /** Renders a picture anew that has the size of the room there was before. */
+    @SuppressWarnings("ReferenceEquality")                    // the very request, unless it got the room's size
+    private void fitRoom() {
+        RenderJob.Snapshot now = job == null ? null : job.snapshot();
+        if (now == null || !isDisplayable() || now.state() == RenderJob.State.FAILED || now.state() == RenderJob.State.CANCELLED) {
+            return;
+        }
+        if (now.request() == null) {
+            settle.restart();                                 // it is not known yet whether it has a size of its own
+        } else if (now.request() != job.request() && side() != now.settings().resolution.width()) {
+            restart();
+        }
+    }
+
     /** {@return the last rendering that has read the present source; null if none did} */
     private RenderJob lastRead() {
         RenderJob last = job.snapshot().hasScene() ? job : read;
@@ -133,6 +178,7 @@ public final class SimpleRay extends ZoomedComponent implements Runnable {
 
     private void begin(RenderJob next, boolean keep) {
         stop();
+        next.setRoom(side());
         if (job != null && job.snapshot().hasScene()) {
             read = job;
             if (job != seen) {

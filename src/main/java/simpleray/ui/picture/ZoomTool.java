@@ -49,7 +49,7 @@ public final class ZoomTool {
         JRadioButtonMenuItem fit = new JRadioButtonMenuItem(action("Fit to Window", () -> Zoom.FIT, "F"));
         one.add(actual);
         one.add(fit);
-        actual.setSelected(true);
+        fit.setSelected(true);
         picture.addPropertyChangeListener(ZoomedComponent.ZOOM, e -> {
             one.clearSelection();                             // at another scale it is neither
             actual.setSelected(picture.zoom().equals(Zoom.ACTUAL));

@@ -5,6 +5,7 @@ import java.awt.GraphicsConfiguration;
 import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.geom.Rectangle2D;
+import javax.swing.JScrollPane;
 import javax.swing.JViewport;
 import javax.swing.Scrollable;
 import javax.swing.SwingConstants;
@@ -18,7 +19,10 @@ abstract class ZoomedComponent extends DrawnComponent implements Scrollable {
     private static final long serialVersionUID = 1L;
     private static final int LINE = 16;
 
-    private transient Zoom zoom = Zoom.ACTUAL;
+    private Dimension spare = new Dimension();
+    private transient Zoom.Place held;                        // from the corner of what can be seen; null if it is where the zoom says
+    private Dimension heldIn;                                 // the scroll pane's size meanwhile
+    private transient Zoom zoom = Zoom.FIT;
 
     ZoomedComponent() {
         super("Picture");
@@ -36,7 +40,70 @@ abstract class ZoomedComponent extends DrawnComponent implements Scrollable {
 
     /** {@return where the picture is, in screen pixels from the component's corner} */
     public final Zoom.Place placed() {
-        return zoom.place(getSize(), imageSize(), ui());
+        if (isHeld()) {
+            return new Zoom.Place(Math.max(0, held.x()), Math.max(0, held.y()), held.width(), held.height(), held.scale());
+        }
+        if (!zoom.fitted()) {
+            return zoom.place(getSize(), imageSize(), ui());
+        }
+        Zoom.Place place = zoom.place(new Dimension(getWidth(), Math.max(1, getHeight() - spare.height)), imageSize(), ui());
+        int left = Math.max(0, (int) Math.round((getWidth() - spare.width) * ui()) - place.width()) / 2;
+        return new Zoom.Place(Math.min(place.x(), left), place.y(), place.width(), place.height(), place.scale());
+    }
+
+    /**
+     * Sets how much room a fitted picture leaves for what may come beside it and below, so that it need not move then. Below, that room stays
+     * free; beside it, as far as the picture is not wider.
+     *
+     * @param width in units of the component's size
+     * @param height likewise
+     */
+    public final void setSpare(int width, int height) {
+        spare = new Dimension(width, height);
+        repaint();
+    }
+
+    /** {@return the room for what may come beside a fitted picture and below} */
+    public final Dimension spare() {
+        return spare;
+    }
+
+    /**
+     * Changes the window so that the picture stays on the screen where it is, as large as it is, until its room changes again, or its zoom.
+     *
+     * @param change changes the window, and lays it out
+     */
+    public final void keepPlace(Runnable change) {
+        if (!isShowing() || !(getParent() instanceof JViewport port) || !(port.getParent() instanceof JScrollPane pane)) {
+            change.run();
+            return;
+        }
+        Zoom.Place was = placed();
+        Point before = getLocationOnScreen();
+        change.run();
+        Point now = port.getLocationOnScreen();
+        int x = was.x() + (int) Math.round((before.x - now.x) * ui());
+        int y = was.y() + (int) Math.round((before.y - now.y) * ui());
+        held = new Zoom.Place(x, y, was.width(), was.height(), was.scale());
+        heldIn = pane.getSize();
+        revalidate();
+        pane.validate();
+        port.setScrollMode(JViewport.SIMPLE_SCROLL_MODE);
+        port.setViewPosition(hidden());
+        repaint();
+    }
+
+    /** {@return whether the picture stays where it was put, whatever its zoom says} */
+    final boolean isHeld() {
+        if (held != null && (getParent() == null || !heldIn.equals(getParent().getParent().getSize()))) {
+            held = null;
+        }
+        return held != null;
+    }
+
+    /** {@return how much of a held picture is above and to the left of what can be seen} */
+    private Point hidden() {
+        return new Point((int) Math.round(Math.max(0, -held.x()) / ui()), (int) Math.round(Math.max(0, -held.y()) / ui()));
     }
 
     /** {@return how many screen pixels a unit of the component's size has} */
@@ -60,6 +127,12 @@ abstract class ZoomedComponent extends DrawnComponent implements Scrollable {
         return x >= 0 && y >= 0 && x < imageSize().width && y < imageSize().height ? new Point(x, y) : null;
     }
 
+    /** {@return the side of the largest square that there is room for, in pixels of the screen; 0 if it is not shown in a window} */
+    final int room() {
+        return getParent() instanceof JViewport port ? (int) Math.round(Math.min(port.getWidth(),
+            Math.max(1, port.getHeight() - spare.height)) * ui()) : 0;
+    }
+
     final Zoom zoom() {
         return zoom;
     }
@@ -73,6 +146,7 @@ abstract class ZoomedComponent extends DrawnComponent implements Scrollable {
     public final void setZoom(Zoom other, Point about) {
         Zoom before = zoom;
         Zoom.Place was = placed();
+        held = null;
         zoom = other;
         revalidate();
         if (getParent() instanceof JViewport port) {
@@ -95,6 +169,12 @@ abstract class ZoomedComponent extends DrawnComponent implements Scrollable {
 
     @Override
     public Dimension getPreferredSize() {
+        if (isHeld()) {
+            Point hidden = hidden();
+            Zoom.Place place = placed();
+            return new Dimension(Math.max(getParent().getWidth() + hidden.x, (int) Math.ceil((place.x() + place.width()) / ui())),
+                Math.max(getParent().getHeight() + hidden.y, (int) Math.ceil((place.y() + place.height()) / ui())));
+        }
         return zoom.size(imageSize(), ui());
     }
 
@@ -115,11 +195,11 @@ abstract class ZoomedComponent extends DrawnComponent implements Scrollable {
 
     @Override
     public boolean getScrollableTracksViewportWidth() {
-        return zoom.fitted() || getParent().getWidth() > getPreferredSize().width;
+        return !isHeld() && zoom.fitted() || getParent().getWidth() >= getPreferredSize().width;
     }
 
     @Override
     public boolean getScrollableTracksViewportHeight() {
-        return zoom.fitted() || getParent().getHeight() > getPreferredSize().height;
+        return !isHeld() && zoom.fitted() || getParent().getHeight() >= getPreferredSize().height;
     }
 }

@@ -1,0 +1,151 @@
+package simpleray.ui.picture;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.Dimension;
+import java.awt.Point;
+import java.awt.Rectangle;
+import java.awt.Robot;
+import java.awt.event.InputEvent;
+import java.nio.file.Path;
+import javax.swing.JComponent;
+import javax.swing.JTree;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import simpleray.render.RenderRequest;
+import simpleray.ui.OpenWindow;
+import simpleray.ui.Screen;
+import simpleray.ui.TestScenes;
+import simpleray.ui.file.SceneSource;
+
+/** The picture as large as its room, and where it was while panes open. */
+class FitTest {
+    private static final double SHARE = 0.8;
+    private static final int NEAR = 2;                        // pixels
+
+    @TempDir
+    Path folder;
+
+    private OpenWindow window;
+
+    @AfterEach
+    void close() {
+        window.close();
+    }
+
+    @Test
+    void aSceneWithoutASizeIsRenderedAsLargeAsItsPaneAndAgainWhenThatIsResized() {
+        open(TestScenes.plain(folder.resolve("plain.scene"), 0.2, 0.4, 0.6), new RenderRequest());
+        untilItFits();
+        OpenWindow.run(() -> window.frame.setSize(700, 600));
+        untilItFits();
+        int small = OpenWindow.ask(() -> window.picture().imageSize().width);
+        OpenWindow.run(() -> window.frame.setSize(1000, 900));
+        untilItFits();
+
+        assertThat(OpenWindow.ask(() -> window.picture().imageSize().width)).isGreaterThan(small);
+        assertThat(window.label("zoom")).isEqualTo("100 %");
+        assertThat(OpenWindow.ask(() -> window.picture().job().snapshot().request().settings().resolution.width()))
+            .isEqualTo(OpenWindow.ask(() -> window.picture().imageSize().width));
+    }
+
+    @Test
+    void aZoomedPictureKeepsItsSizeWhateverTheWindowHas() {
+        open(TestScenes.plain(folder.resolve("plain.scene"), 0.2, 0.4, 0.6), new RenderRequest());
+        untilItFits();
+        int side = OpenWindow.ask(() -> window.picture().imageSize().width);
+        OpenWindow.run(() -> window.picture().setZoom(Zoom.ACTUAL, null));
+        RenderJob job = window.job();
+        OpenWindow.run(() -> window.frame.setSize(700, 600));
+        Screen.until("its size is noticed", () -> window.frame.getWidth() == 700 && window.picture().isSettled());
+
+        assertThat(window.job()).isSameAs(job);
+        assertThat(OpenWindow.ask(() -> window.picture().imageSize())).isEqualTo(new Dimension(side, side));
+    }
+
+    @Test
+    void aLargePictureWithASizeIsShownWholeUntilTheUserZooms() {
+        open(TestScenes.plain(folder.resolve("plain.scene"), 0.2, 0.4, 0.6), OpenWindow.request(1600, 1200));
+        OpenWindow.run(() -> window.frame.setSize(1000, 700));
+        Screen.until("all of it is shown", () -> {
+            Rectangle place = window.picture().place();
+            return window.picture().imageSize().equals(new Dimension(1600, 1200)) && window.frame.getWidth() == 1000
+                && window.scroll().getViewport().getViewRect().contains(place) && place.height > SHARE * window.scroll().getHeight();
+        });
+    }
+
+    @Test
+    void whatWasClickedStaysUnderTheMouseWhenItsStoryComes() throws Exception {
+        open(TestScenes.THESIS, new RenderRequest());
+        untilItFits();
+        clickStays(new Point(300, 300));
+    }
+
+    @Test
+    void soItDoesAtTheRightEdgeOfAPictureAsWideAsTheWindow() throws Exception {
+        open(TestScenes.THESIS, OpenWindow.request(800, 300));
+        window.untilState(RenderJob.State.FINISHED);
+        Screen.until("it fits", () -> window.picture().place().width == window.picture().getWidth());
+        clickStays(new Point(600, 200));
+    }
+
+    @Test
+    void thePictureStaysWhereItIsWhenWarningsCome() {
+        open(TestScenes.THESIS, OpenWindow.request(400, 400));
+        Screen.until("something is shown", () -> window.picture().seen() != null);
+        Rectangle before = OpenWindow.ask(this::onScreen);
+        window.untilState(RenderJob.State.FINISHED);
+        window.untilProblems("light 2");
+
+        assertThat(OpenWindow.ask(this::onScreen)).isEqualTo(before);
+    }
+
+    private void clickStays(Point pixel) throws Exception {
+        Robot robot = new Robot();
+        Point at = OpenWindow.ask(() -> {
+            Rectangle all = onScreen();
+            Dimension size = window.picture().imageSize();
+            return new Point(all.x + (int) ((pixel.x + 0.5) * all.width / size.width), all.y + (int) ((pixel.y + 0.5) * all.height
+                / size.height));
+        });
+        Point clicked = OpenWindow.ask(() -> under(at));
+        robot.mouseMove(at.x, at.y);
+        robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
+        robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+        Screen.until("its story is there", () -> OpenWindow.seen(JTree.class, tree -> "story".equals(tree.getName())) != null);
+        OpenWindow.run(() -> {
+            assertThat(under(at).distance(clicked)).isLessThanOrEqualTo(NEAR);
+            JComponent seen = (JComponent) window.picture().getParent();
+            assertThat(seen.getVisibleRect().contains(at.x - seen.getLocationOnScreen().x, at.y - seen.getLocationOnScreen().y)).isTrue();
+        });
+    }
+
+    /** {@return the picture's pixel at a point of the screen} For the event thread. */
+    private Point under(Point at) {
+        Point corner = window.picture().getLocationOnScreen();
+        return window.picture().pixelAt(new Point(at.x - corner.x, at.y - corner.y));
+    }
+
+    private Rectangle onScreen() {
+        Rectangle place = window.picture().place();
+        Point corner = window.picture().getLocationOnScreen();
+        place.translate(corner.x, corner.y);
+        return place;
+    }
+
+    private void open(Path scene, RenderRequest request) {
+        window = new OpenWindow(SceneSource.file(scene), 1, 1, made -> {
+            made.picture().setZoom(Zoom.FIT, null);
+            made.picture().setRequest(request);
+            made.picture().start();
+        });
+    }
+
+    private void untilItFits() {
+        window.untilState(RenderJob.State.FINISHED);
+        Screen.until("the picture has the size of its room", () -> window.picture().job().state() == RenderJob.State.FINISHED
+            && window.picture().isSettled() && window.picture().imageSize().width == window.picture().room()
+            && window.picture().place().height > SHARE * window.scroll().getHeight());
+    }
+}
