@@ -17,6 +17,7 @@ import simpleray.ui.picture.CameraMenu;
 import simpleray.ui.picture.SimpleRay;
 import simpleray.ui.picture.ZoomTool;
 import simpleray.ui.widget.KeyBindings;
+import simpleray.ui.widget.MenuKeys;
 
 /** The window's menus and their keys. */
 final class ViewerMenus {
@@ -94,6 +95,7 @@ final class ViewerMenus {
         bar.add(comparison.menu());
         bar.add(camera.menu());
         bar.add(desktop.helpMenu());
+        MenuKeys.restWhileOpen(bar);
     }
 
     JMenuBar bar() {

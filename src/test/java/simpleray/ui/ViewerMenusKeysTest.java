@@ -3,6 +3,12 @@ package simpleray.ui;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.event.KeyEvent;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import javax.swing.JMenu;
+import javax.swing.MenuElement;
+import javax.swing.MenuSelectionManager;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -62,6 +68,48 @@ class ViewerMenusKeysTest {
 
         assertThat(window.job().state()).isEqualTo(RenderJob.State.FINISHED);
         assertThat(window.status()).startsWith("Finished: 5,400 rays");
+    }
+
+    /** From Swing's own sign of the open menu; no rendering starts by these keys, as an orbit would. */
+    @Test
+    void theArrowKeysWalkThroughAllMenusAndMoveNothingElse() {
+        RenderJob before = window.job();
+        List<String> all = OpenWindow.ask(() -> Arrays.stream(window.frame.getJMenuBar().getSubElements())
+            .map(menu -> ((JMenu) menu.getComponent()).getText()).toList());
+        window.screen.press(KeyEvent.VK_ALT, KeyEvent.VK_F);
+        List<String> seen = new ArrayList<>();
+        for (int i = 0; i < all.size(); i++) {
+            String expected = all.get(i);
+            Screen.until(expected + " is open", () -> expected.equals(openMenu()));
+            seen.add(openMenu());
+            window.screen.press(KeyEvent.VK_RIGHT);
+        }
+        Screen.until("the first is open again", () -> all.get(0).equals(openMenu()));
+        assertThat(seen).isEqualTo(all).hasSizeGreaterThan(8);
+
+        window.screen.press(KeyEvent.VK_LEFT);
+        Screen.until("the last is open", () -> all.get(all.size() - 1).equals(openMenu()));
+        window.screen.press(KeyEvent.VK_LEFT);
+        Screen.until("the camera's is open", () -> "Camera".equals(openMenu()));
+        window.screen.press(KeyEvent.VK_UP);
+        window.screen.press(KeyEvent.VK_DOWN);
+        window.screen.press(KeyEvent.VK_DOWN);
+        Screen.until("an item is chosen", () -> MenuSelectionManager.defaultManager().getSelectedPath().length == 4);
+        window.screen.press(KeyEvent.VK_ESCAPE);
+        Screen.until("the menu is closed", () -> openMenu() == null);
+        assertThat(window.job()).isSameAs(before);
+
+        window.screen.press(KeyEvent.VK_LEFT);                // and works again
+        Screen.until("the camera moves", () -> window.job() != before);
+        window.untilState(RenderJob.State.FINISHED);
+    }
+
+    /** {@return the name of the menu that is open; null for none} */
+    private static String openMenu() {
+        return OpenWindow.ask(() -> {
+            MenuElement[] path = MenuSelectionManager.defaultManager().getSelectedPath();
+            return path.length < 2 || !((JMenu) path[1]).isPopupMenuVisible() ? null : ((JMenu) path[1]).getText();
+        });
     }
 
     @Test
