@@ -134,10 +134,7 @@ public final class DesktopActions {
      * @param key the key
      */
     public void addKey(Action action, String key) {
-        KeyStroke stroke = KeyStroke.getKeyStroke(key);
-        action.putValue(Shortcuts.ALSO, stroke);
-        window.frame().getRootPane().getInputMap(JComponent.WHEN_IN_FOCUSED_WINDOW).put(stroke, action);
-        window.frame().getRootPane().getActionMap().put(action, action);
+        Shortcuts.addKey(window.frame(), action, key);
     }
 
     /**

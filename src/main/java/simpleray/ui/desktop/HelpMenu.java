@@ -1,12 +1,13 @@
 package simpleray.ui.desktop;
 
 import java.awt.event.KeyEvent;
+import javax.swing.Action;
 import javax.swing.JMenu;
 import javax.swing.JOptionPane;
 import simpleray.ui.picture.ViewerContext;
 import simpleray.ui.widget.KeyBindings;
 
-/** Help: all keys, and which program this is. */
+/** Help: what the mouse does, all keys, and which program this is. */
 final class HelpMenu {
     private final ViewerContext window;
     private final JMenu menu = new JMenu("Help");
@@ -14,8 +15,10 @@ final class HelpMenu {
     HelpMenu(ViewerContext window) {
         this.window = window;
         menu.setMnemonic(KeyEvent.VK_H);
-        menu.add(KeyBindings.action("Shortcuts", "typed ?", () -> new ShortcutsDialog(window.frame()).setVisible(true)));
-        menu.add(KeyBindings.action("About SimpleRay", "F1", this::about));
+        Action shortcuts = KeyBindings.action("Mouse and Keys", "F1", () -> new ShortcutsDialog(window.frame()).setVisible(true));
+        Shortcuts.addKey(window.frame(), shortcuts, "typed ?");
+        menu.add(shortcuts);
+        menu.add(KeyBindings.action("About SimpleRay", null, this::about));
     }
 
     JMenu menu() {

@@ -6,6 +6,8 @@ import java.util.ArrayList;
 import java.util.List;
 import javax.swing.AbstractButton;
 import javax.swing.Action;
+import javax.swing.JComponent;
+import javax.swing.JFrame;
 import javax.swing.JMenu;
 import javax.swing.JMenuBar;
 import javax.swing.JMenuItem;
@@ -68,6 +70,14 @@ public final class Shortcuts {
         return all;
     }
 
+    /** Gives an action of a window's menus a second key. */
+    static void addKey(JFrame frame, Action action, String key) {
+        KeyStroke stroke = KeyStroke.getKeyStroke(key);
+        action.putValue(ALSO, stroke);
+        frame.getRootPane().getInputMap(JComponent.WHEN_IN_FOCUSED_WINDOW).put(stroke, action);
+        frame.getRootPane().getActionMap().put(action, action);
+    }
+
     private static void collect(MenuElement element, String menu, List<Shortcut> all) {
         if (element instanceof JMenuItem item && !(item instanceof JMenu) && item.getAccelerator() != null) {
             all.add(new Shortcut(menu, item.getText(), keys(item)));
@@ -75,6 +85,15 @@ public final class Shortcuts {
         for (MenuElement part : element.getSubElements()) {
             collect(part, part instanceof JMenu inner ? menu + " > " + inner.getText() : menu, all);
         }
+    }
+
+    /**
+     * {@return what an item does and by which keys, for a tool tip}
+     *
+     * @param item the item
+     */
+    public static String tip(JMenuItem item) {
+        return item.getText() + (item.getAccelerator() == null ? "" : " (" + keys(item) + ')');
     }
 
     private static String keys(JMenuItem item) {

@@ -16,7 +16,7 @@ import javax.swing.JTable;
 import javax.swing.KeyStroke;
 import javax.swing.table.DefaultTableModel;
 
-/** Lists all keys and mouse gestures. */
+/** Lists what the mouse does, and all keys. */
 final class ShortcutsDialog extends JDialog {
     private static final long serialVersionUID = 1L;
     private static final Dimension SIZE = new Dimension(620, 460);
@@ -24,11 +24,11 @@ final class ShortcutsDialog extends JDialog {
     private static final int MARGIN = 10;
 
     ShortcutsDialog(JFrame frame) {
-        super(frame, "Shortcuts", true);
+        super(frame, "Mouse and Keys", true);
         JTabbedPane pages = new JTabbedPane();
-        pages.addTab("Keys", new JScrollPane(table("Keys", new String[] {"Menu", "Command", "Key"}, Shortcuts.of(frame.getJMenuBar()))));
         pages.addTab("Mouse", new JScrollPane(table("Mouse", new String[] {"Where", "What", "How"}, Shortcuts.GESTURES)));
-        pages.getAccessibleContext().setAccessibleName("Shortcuts");
+        pages.addTab("Keys", new JScrollPane(table("Keys", new String[] {"Menu", "Command", "Key"}, Shortcuts.of(frame.getJMenuBar()))));
+        pages.getAccessibleContext().setAccessibleName("Mouse and keys");
         JButton close = new JButton("Close");
         close.addActionListener(e -> dispose());
         getRootPane().setDefaultButton(close);

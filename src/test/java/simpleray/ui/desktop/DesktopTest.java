@@ -23,6 +23,7 @@ import javax.swing.JDialog;
 import javax.swing.JMenu;
 import javax.swing.JMenuItem;
 import javax.swing.JOptionPane;
+import javax.swing.JTabbedPane;
 import javax.swing.JTable;
 import javax.swing.KeyStroke;
 import javax.swing.MenuElement;
@@ -105,6 +106,9 @@ class DesktopTest {
     @Test
     void theDialogOfShortcutsHasEveryKeyOfTheMenus() throws IOException {
         window.screen.press(KeyEvent.VK_SHIFT, KeyEvent.VK_SLASH);
+        OpenWindow.appears("the gestures", JTable.class, t -> "Mouse".equals(t.getAccessibleContext().getAccessibleName()));
+        JTabbedPane pages = OpenWindow.appears("the pages", JTabbedPane.class, pane -> true);
+        OpenWindow.run(() -> pages.setSelectedIndex(1));
         JTable table = OpenWindow.appears("the keys", JTable.class, t -> "Keys".equals(t.getAccessibleContext().getAccessibleName()));
         Screen.until("it has the keys", () -> SwingUtilities.getWindowAncestor(table).isFocused());
         List<String> rows = OpenWindow.ask(() -> IntStream.range(0, table.getRowCount())
@@ -112,9 +116,20 @@ class DesktopTest {
             .collect(Collectors.toList()));
 
         assertThat(rows).contains("File: Open…: Ctrl+O", "File: Reload: Ctrl+R, F5", "File: Copy Command Line: Ctrl+Shift+L",
-            "Stage: Original Scene: 1", "Help: Shortcuts: ?");
+            "Stage: Original Scene: 1", "Help: Mouse and Keys: F1, ?");
         assertThat(rows).hasSameSizeAs(OpenWindow.ask(() -> keys(window.frame.getJMenuBar()).collect(Collectors.toList())));
         capture("shortcuts.png");
+        window.screen.press(KeyEvent.VK_ESCAPE);
+        Screen.until("the dialog is gone", () -> !table.isShowing());
+    }
+
+    @Test
+    void f1ShowsTheGesturesFirst() {
+        window.screen.press(KeyEvent.VK_F1);
+        JTable table = OpenWindow.appears("the gestures", JTable.class, t -> "Mouse".equals(t.getAccessibleContext().getAccessibleName()));
+        Screen.until("it has the keys", () -> SwingUtilities.getWindowAncestor(table).isFocused());
+
+        assertThat(OpenWindow.ask(table::getRowCount)).isEqualTo(Shortcuts.GESTURES.size());
         window.screen.press(KeyEvent.VK_ESCAPE);
         Screen.until("the dialog is gone", () -> !table.isShowing());
     }
@@ -132,7 +147,7 @@ class DesktopTest {
 
     @Test
     void theProgramSaysWhichItIs() {
-        window.screen.press(KeyEvent.VK_F1);
+        OpenWindow.later(window.item("About SimpleRay")::doClick);
         JOptionPane about = OpenWindow.appears("about", JOptionPane.class, pane -> true);
         Screen.until("it has the keys", () -> SwingUtilities.getWindowAncestor(about).isFocused());
 
