@@ -92,7 +92,7 @@ final class ViewerFrame extends JFrame implements EditorContext {
         camera = new CameraMenu(this, document::text, document::replace);
         menus = new ViewerMenus(picture, dialogs, desktop, new SceneMenu(document, problems), inspector, comparison, camera, this::close);
         setJMenuBar(menus.bar());
-        add(banner, BorderLayout.NORTH);
+        add(new ToolBar(menus.bar()).above(banner), BorderLayout.NORTH);
         add(inspector.beside(split), BorderLayout.CENTER);
         add(status, BorderLayout.SOUTH);
         setDefaultCloseOperation(DO_NOTHING_ON_CLOSE);

@@ -1,0 +1,89 @@
+package simpleray.ui;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.event.KeyEvent;
+import java.util.List;
+import javax.swing.AbstractButton;
+import javax.swing.JTextArea;
+import javax.swing.JTree;
+import javax.swing.SwingUtilities;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import simpleray.render.Stage;
+import simpleray.ui.file.SceneSource;
+import simpleray.ui.picture.RenderJob;
+
+/** The buttons below the menus, by the mouse. */
+class ToolBarTest {
+    private OpenWindow window;
+
+    @BeforeEach
+    void finishThePicture() {
+        window = new OpenWindow(SceneSource.file(TestScenes.THESIS), 90, 60, made -> made.frame().setSize(820, 500));
+        window.untilState(RenderJob.State.FINISHED);
+    }
+
+    @AfterEach
+    void close() {
+        window.close();
+    }
+
+    @Test
+    void aStageIsPressedWhileItIsShownWhateverChoseIt() {
+        window.screen.click(button("Lighting"));
+        window.untilShown("the stage", TestScenes.rendered(TestScenes.THESIS, 90, 60, Stage.LIGHTING));
+        assertThat(pressed()).containsExactly("Lighting");
+        window.screen.click(button("Lighting"));
+        window.untilState(RenderJob.State.FINISHED);
+        assertThat(pressed()).containsExactly("Lighting");
+
+        window.screen.press(KeyEvent.VK_1);
+        window.untilShown("the first stage", TestScenes.rendered(TestScenes.THESIS, 90, 60, Stage.ORIGINAL));
+        assertThat(pressed()).containsExactly("Original");
+    }
+
+    @Test
+    void textAndStoryAreOpenedAndTheTextIsHiddenAgain() {
+        window.screen.click(button("Story"));
+        OpenWindow.appears("the story", JTree.class, tree -> true);
+        window.screen.click(button("Text"));
+        JTextArea text = OpenWindow.appears("the text", JTextArea.class, area -> area.getText().contains("#number of objects"));
+        assertThat(pressed()).containsExactly("Final", "Text");
+        window.screen.click(button("Text"));
+
+        Screen.until("the text is gone", () -> !text.isShowing());
+        assertThat(pressed()).containsExactly("Final");
+    }
+
+    @Test
+    void aButtonCanWhenItsItemCanAndTellsItsKey() {
+        assertThat(OpenWindow.ask(button("Save")::isEnabled)).isTrue();
+        assertThat(OpenWindow.ask(button("Pause")::isEnabled)).isFalse();
+        assertThat(button("Save").getToolTipText()).isEqualTo("Save Picture As… (Ctrl+S)");
+        assertThat(button("Reload").getToolTipText()).isEqualTo("Reload (Ctrl+R, F5)");
+    }
+
+    @Test
+    void noButtonTakesTheKeysFromThePicture() {
+        window.screen.click(button("Reload"));
+        window.untilState(RenderJob.State.FINISHED);
+
+        assertThat(OpenWindow.ask(window.frame::getFocusOwner)).isSameAs(window.picture());
+        assertThat(OpenWindow.ask(() -> buttons().stream().noneMatch(AbstractButton::isFocusable))).isTrue();
+    }
+
+    private List<AbstractButton> buttons() {
+        return OpenWindow.ask(() -> OpenWindow.all(window.frame).filter(c -> c instanceof AbstractButton
+            && SwingUtilities.getAncestorOfClass(ToolBar.class, c) != null).map(AbstractButton.class::cast).toList());
+    }
+
+    private AbstractButton button(String text) {
+        return buttons().stream().filter(button -> button.getText().equals(text)).findFirst().orElseThrow();
+    }
+
+    private List<String> pressed() {
+        return OpenWindow.ask(() -> buttons().stream().filter(AbstractButton::isSelected).map(AbstractButton::getText).toList());
+    }
+}
