@@ -99,6 +99,9 @@ public final class SceneLint {
     private static final class Seen implements Recorder {
         final BitSet objects = new BitSet();
         final BitSet lights = new BitSet();
+        /** What blocks lights that reach nothing, by the lights' indices. */
+        final Map<Integer, LightBlockers> blocked = new HashMap<>();
+        private Interaction latest;
         /** The object that the latest ray from the eye hit; below 0 if none. */
         int first;
 
@@ -106,6 +109,7 @@ public final class SceneLint {
         public void hit(Ray ray, Interaction at) {
             objects.set(at.place);
             first = first < 0 ? at.place : first;
+            latest = at;
         }
 
         @Override
@@ -113,6 +117,9 @@ public final class SceneLint {
                 Colour specular) {
             if (!arriving.isBlack()) {
                 lights.set(number);
+                blocked.remove(number);
+            } else if (visibility.facing > 0 && !lights.get(number)) {
+                blocked.computeIfAbsent(number, light -> new LightBlockers()).add(latest, visibility);
             }
         }
     }
@@ -147,8 +154,7 @@ public final class SceneLint {
         int raysOfFirst = rays;
         traceOthers(tolerated == 0 ? MAX_FRAMES : FEW_FRAMES);
         for (int i = seen.lights.nextClearBit(0); i < scene.getNumberLights(); i = seen.lights.nextClearBit(i + 1)) {
-            warn(file.lineOfLight(i), "light " + (i + 1) + (frames == 1 && scene.getLight(i).intensity.isBlack() ? " is black"
-                : " reaches nothing of what " + rays() + " saw"));
+            warn(file.lineOfLight(i), frames == 1 && scene.getLight(i).intensity.isBlack() ? "light " + (i + 1) + " is black" : unlit(i));
         }
         Point eye = middle().origin;
         for (int i = 0; i < scene.getNumberObjects(); i++) {
@@ -177,6 +183,15 @@ public final class SceneLint {
         return camera.through(camera.width() / 2.0, camera.height() / 2.0);
     }
 
+    /** {@return why a light makes no difference} */
+    private String unlit(int light) {
+        int line = file.lineOfLight(light);
+        String told = "light " + (light + 1) + (line > 0 ? " (line " + line + ")" : "") + " lights nothing that is seen" + inFrames();
+        LightBlockers between = seen.blocked.get(light);
+        return seen.objects.isEmpty() || frames > 1 ? told
+            : told + ": " + (between == null ? "all of that is turned away from it" : between.told(scene));
+    }
+
     private void warnOfUnseen() {
         int unseen = scene.getNumberObjects() - seen.objects.cardinality();
         String what = " not seen by any of " + rays();
@@ -191,7 +206,11 @@ public final class SceneLint {
     }
 
     private String rays() {
-        return rays + " rays" + (frames > 1 ? " in " + (frames == film.frames() ? "all " + frames : frames + " of " + film.frames()) + " frames" : "");
+        return rays + " rays" + inFrames();
+    }
+
+    private String inFrames() {
+        return frames > 1 ? " in " + (frames == film.frames() ? "all " + frames : frames + " of " + film.frames()) + " frames" : "";
     }
 
     private void warnOfIdleKeys() {

@@ -35,7 +35,8 @@ class CheckCommandWarningsTest {
 
         Program.Result result = InProcess.run("check", thesis.toString());
 
-        assertThat(result.err()).isEqualTo(thesis + ":55:1: warning: light 2 reaches nothing of what 18496 rays saw\n");
+        assertThat(result.err()).isEqualTo(thesis
+            + ":55:1: warning: light 2 (line 55) lights nothing that is seen: object 4 (plane, line 19) is in the way\n");
         assertThat(result.text()).isEqualTo(thesis + ": good: 9 objects, 2 lights, 1 warning\n");
         assertThat(result.exitCode()).isZero();
     }
@@ -79,7 +80,7 @@ class CheckCommandWarningsTest {
 
         String quoted = bad.toString().replace("\"", "\\\"");
         assertThat(result.text()).isEqualTo("[{\"file\":\"" + thesis + "\",\"line\":55,\"column\":1,\"severity\":\"warning\","
-            + "\"message\":\"light 2 reaches nothing of what 18496 rays saw\"},\n"
+            + "\"message\":\"light 2 (line 55) lights nothing that is seen: object 4 (plane, line 19) is in the way\"},\n"
             + "{\"file\":\"" + quoted + "\",\"line\":2,\"column\":11,\"severity\":\"error\","
             + "\"message\":\"expected object 1's radius above 0, found '0'\"},\n"
             + "{\"file\":\"" + quoted + "\",\"line\":2,\"column\":32,\"severity\":\"error\","

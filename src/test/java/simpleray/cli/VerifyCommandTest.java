@@ -171,7 +171,8 @@ class VerifyCommandTest {
         run("render", picture, "-o", again, "-q");
         assertThat(again).hasSameBinaryContentAs(picture);
         assertEnds(0, picture + ": good: 9 objects, 2 lights, 1 warning\n",
-            picture + ":55:1: warning: light 2 reaches nothing of what 18496 rays saw\n", "check", picture);
+            picture + ":55:1: warning: light 2 (line 55) lights nothing that is seen: object 4 (plane, line 19) is in the way\n",
+            "check", picture);
         assertThat(InProcess.run("explain", picture.toString(), "--pixel", "20,15").text())
             .startsWith("pixel 20,15 of 40x30, stage final: ").contains("hits object 5 (plane, line 23)");
         assertThat(InProcess.run("print", picture.toString()).text()).startsWith("Scene has 9 objects\n")

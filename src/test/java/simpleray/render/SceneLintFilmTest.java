@@ -79,7 +79,7 @@ class SceneLintFilmTest {
         assertThat(SceneLint.all(film, "a")).isEmpty();
         assertThat(SceneLint.all(dark, "a")).isEmpty();
         assertThat(SceneLint.all(black, "a").stream().map(Diagnostic::toString))
-            .containsExactly("a:6:1: warning: light 1 reaches nothing of what 26688 rays in all 3 frames saw");
+            .containsExactly("a:6:1: warning: light 1 (line 6) lights nothing that is seen in all 3 frames");
     }
 
     @Test

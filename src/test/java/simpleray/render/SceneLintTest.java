@@ -34,6 +34,15 @@ class SceneLintTest {
     }
 
     @Test
+    void ofSeveralObjectsInTheWayTheOneThatBlocksMostIsNamed() throws IOException {
+        String roof = "1  0 1 0  1.5  0 0 0  0 0 0  0 0 0  1\n";
+        String ball = "0  0 8 1  0.5  0 0 0  0 0 0  0 0 0  1\n";
+
+        assertThat(warnings(List.of(WALL, roof, ball), "0.5 0.5 0.5", "0  0.5 0.5 0.5  0 9 2")).anyMatch(
+            text -> text.endsWith("light 1 (line 7) lights nothing that is seen: object 2 (plane, line 3) is in the way"));
+    }
+
+    @Test
     void aSceneWithoutMistakesHasNoWarning() throws IOException {
         assertThat(warnings(List.of(WALL, BALL), "0.5 0.5 0.5", "0  0.5 0.5 0.5  1 1 2", "1  0.2 0.2 0.2  0 -1 -1")).isEmpty();
     }
@@ -43,13 +52,14 @@ class SceneLintTest {
         SceneFile thesis = SceneFile.read(Project.scene("thesis"));
 
         assertThat(SceneLint.all(thesis, "thesis.scene")).extracting(Diagnostic::toString)
-            .containsExactly("thesis.scene:55:1: warning: light 2 reaches nothing of what 18496 rays saw");
+            .containsExactly("thesis.scene:55:1: warning: "
+                + "light 2 (line 55) lights nothing that is seen: object 4 (plane, line 19) is in the way");
     }
 
     @ParameterizedTest
-    @CsvSource(delimiter = '|', value = {"1  1 1 1  0 0 1 | light 2 reaches nothing of what 18496 rays saw",
-        "0  1 1 1  0 0 -4 | light 2 reaches nothing of what 18496 rays saw",
-        "2  1 1 1  -1 0 -4  2 0 0  0 1 -3  2 | light 2 reaches nothing of what 18496 rays saw",
+    @CsvSource(delimiter = '|', value = {"1  1 1 1  0 0 1 | light 2 (line 6) lights nothing that is seen: all of that is turned away from it",
+        "0  1 1 1  0 0 -4 | light 2 (line 6) lights nothing that is seen: all of that is turned away from it",
+        "2  1 1 1  -1 0 -4  2 0 0  0 1 -3  2 | light 2 (line 6) lights nothing that is seen: all of that is turned away from it",
         "2  0 0 0  0 0 2  1 0 0  0 1 0  2 | light 2 is black",
         "0  0 0 0  1 1 2 | light 2 is black"})
     void aLightBehindTheWallReachesNothing(String light, String message) throws IOException {
@@ -63,13 +73,13 @@ class SceneLintTest {
 
         assertThat(warnings(List.of(WALL, glass), "0.5 0.5 0.5", "0  0.5 0.5 0.5  0 9 2")).isEmpty();
         assertThat(warnings(List.of(WALL, wood), "0.5 0.5 0.5", "0  0.5 0.5 0.5  0 9 2"))
-            .containsExactly("a:6:1: warning: light 1 reaches nothing of what 18496 rays saw");
+            .containsExactly("a:6:1: warning: light 1 (line 6) lights nothing that is seen: object 2 (plane, line 3) is in the way");
     }
 
     @ParameterizedTest
     @ValueSource(strings = {"1  0 1 0  1.9", "1  1 2 0  4.1", "3  0.3 1.9 -1  0.3 9 -1  0.5", "0  0.3 2.9 -1  1"})
     void aLightInASurfaceReachesWhatItShinesOn(String shape) throws IOException {
-        assertThat(warnings(List.of(WALL, shape + MATT), "0.5 0.5 0.5", "0  0.5 0.5 0.5  0.3 1.9 -1")).noneMatch(text -> text.contains("reaches nothing"));
+        assertThat(warnings(List.of(WALL, shape + MATT), "0.5 0.5 0.5", "0  0.5 0.5 0.5  0.3 1.9 -1")).noneMatch(text -> text.contains("lights nothing"));
     }
 
     @Test

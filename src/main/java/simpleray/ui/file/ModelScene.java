@@ -64,8 +64,8 @@ final class ModelScene {
             "1   0 1 0   0   0.18 0.18 0.18   0.5 0.5 0.5   0 0 0   1",
             "0.7 0.7 0.7   # ambient light",
             "2   # lights from far away: a bright one from the upper left, a weak one from the right",
-            "1   0.75 0.73 0.7     0.6 -1.0 -0.7",
-            "1   0.25 0.26 0.28   -1.0 -0.5 -0.4",
+            "1   0.95 0.92 0.88    0.6 -1.0 -0.7",
+            "1   0.3 0.31 0.33   -1.0 -0.5 -0.4",
             "camera  " + numbers(TOWARDS[0] * away, middle + TOWARDS[1] * away, TOWARDS[2] * away) + "   0 " + number(middle) + " 0   "
                 + number(FIELD),
             "background  0.62 0.7 0.78",

@@ -16,7 +16,7 @@ import simpleray.ui.file.FileSource;
 /** The warnings about a scene come with its first picture that is whole. */
 @Timeout(value = 60, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 class RenderJobWarningsTest {
-    private static final String WARNING = "light 2 reaches nothing of what 18496 rays saw";
+    private static final String WARNING = "light 2 (line 55) lights nothing that is seen: object 4 (plane, line 19) is in the way";
 
     private static RenderRequest request(int side) {
         SceneSettings settings = new SceneSettings();
