@@ -37,7 +37,7 @@ class RoomsTest {
         entry("simpleray.render", 5), entry("simpleray.rays", 6), entry("simpleray.film", 6),
         entry("simpleray.ui.widget", 7), entry("simpleray.ui.file", 7), entry("simpleray.ui.picture", 8),
         entry("simpleray.ui.editor", 9), entry("simpleray.ui.compare", 9), entry("simpleray.ui.inspect", 9),
-        entry("simpleray.ui.desktop", 9), entry("simpleray.ui", 10), entry("simpleray.cli", 11)));
+        entry("simpleray.ui.desktop", 9), entry("simpleray.ui.film", 9), entry("simpleray.ui", 10), entry("simpleray.cli", 11)));
     private static final String SCENE = "simpleray.scene";
     private static final String UI = "simpleray.ui..";
     private static final String CLI = "simpleray.cli";

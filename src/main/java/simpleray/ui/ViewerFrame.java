@@ -23,6 +23,7 @@ import simpleray.ui.editor.SceneDocument;
 import simpleray.ui.editor.SceneMenu;
 import simpleray.ui.file.SceneSource;
 import simpleray.ui.file.SceneWatcher;
+import simpleray.ui.film.TimeLine;
 import simpleray.ui.inspect.Inspector;
 import simpleray.ui.picture.CameraMenu;
 import simpleray.ui.picture.RenderJob;
@@ -50,13 +51,14 @@ final class ViewerFrame extends JFrame implements EditorContext {
     private final Banner banner = new Banner();
     private final JSplitPane split;
     private final JSplitPane beside = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT);
-    private final JScrollPane scrolled;                       // the picture
+    private final JComponent scrolled;                        // the picture, and the time line of a film
     private final StatusBar status = new StatusBar();
     private final transient DesktopActions desktop;
     private final transient Inspector inspector;
     private final transient Comparison comparison;
     private final transient ViewerMenus menus;
     private final transient CameraMenu camera;
+    private final transient TimeLine timeLine;
     private final transient Runnable closed;
     private final transient Timer patience = new Timer(PATIENCE, e -> believe());
     private transient SceneSource opened = SceneSource.NONE;
@@ -76,7 +78,8 @@ final class ViewerFrame extends JFrame implements EditorContext {
         this.closed = closed;
         picture = new SimpleRay(source, request);
         patience.setRepeats(false);
-        scrolled = new JScrollPane(picture);
+        timeLine = new TimeLine(this);
+        scrolled = timeLine.below(new JScrollPane(picture));
         beside.setLeftComponent(scrolled);
         beside.setBorder(BorderFactory.createEmptyBorder());
         beside.setResizeWeight(HALF);
@@ -90,7 +93,7 @@ final class ViewerFrame extends JFrame implements EditorContext {
         desktop = new DesktopActions(this, preferences, look, this::lookChanged);
         comparison = new Comparison(this);
         camera = new CameraMenu(this, document::text, document::replace);
-        menus = new ViewerMenus(picture, dialogs, desktop, new SceneMenu(document, problems), inspector, comparison, camera, this::close);
+        menus = new ViewerMenus(picture, dialogs, desktop, new SceneMenu(document, problems), inspector, comparison, camera, timeLine, this::close);
         setJMenuBar(menus.bar());
         add(new ToolBar(menus.bar()).above(banner), BorderLayout.NORTH);
         add(inspector.beside(split), BorderLayout.CENTER);
@@ -143,6 +146,7 @@ final class ViewerFrame extends JFrame implements EditorContext {
     public void open(SceneSource source) {
         document.leave(() -> {
             camera.forget();
+            timeLine.forget();
             showPicture(source != SceneSource.NONE);
             opened = source;
             picture.setSource(source);
@@ -300,6 +304,7 @@ final class ViewerFrame extends JFrame implements EditorContext {
         }
         status.show(job, now, picture.imageSize());
         inspector.update(job);
+        timeLine.update(job);
         document.outline().update(job);
         SceneReport report = faults != null ? faults : new SceneReport(now.problems(), now.findings().places());
         String text = report.text();

@@ -12,6 +12,7 @@ import simpleray.ui.compare.Comparison;
 import simpleray.ui.desktop.DesktopActions;
 import simpleray.ui.desktop.PictureDialogs;
 import simpleray.ui.editor.SceneMenu;
+import simpleray.ui.film.TimeLine;
 import simpleray.ui.inspect.Inspector;
 import simpleray.ui.picture.CameraMenu;
 import simpleray.ui.picture.SimpleRay;
@@ -33,7 +34,7 @@ final class ViewerMenus {
     private final Comparison comparison;
 
     ViewerMenus(SimpleRay picture, PictureDialogs dialogs, DesktopActions desktop, SceneMenu scene, Inspector inspector,
-                Comparison comparison, CameraMenu camera, Runnable quit) {
+                Comparison comparison, CameraMenu camera, TimeLine timeLine, Runnable quit) {
         this.picture = picture;
         this.desktop = desktop;
         this.scene = scene;
@@ -91,6 +92,8 @@ final class ViewerMenus {
         JMenu run = menu("Render", KeyEvent.VK_R);
         run.add(new JCheckBoxMenuItem(pause));
         run.add(cancel);
+        run.addSeparator();
+        timeLine.addTo(run);
         bar.add(scene.menu());
         bar.add(comparison.menu());
         bar.add(camera.menu());

@@ -55,8 +55,10 @@ class ViewerMenusTest {
     }
 
     @Test
-    void theRenderMenuPausesAndCancels() {
-        assertThat(items(opened("Render"))).containsExactly("Pause pressed SPACE", "Cancel pressed ESCAPE");
+    void theRenderMenuPausesCancelsAndPlaysFilms() {
+        assertThat(items(opened("Render"))).containsExactly("Pause pressed SPACE", "Cancel pressed ESCAPE", "Play Film pressed P",
+            "First Frame alt pressed HOME", "Previous Frame alt pressed PAGE_UP", "Next Frame alt pressed PAGE_DOWN",
+            "Last Frame alt pressed END", "Loop Film shift pressed P");
     }
 
     @Test

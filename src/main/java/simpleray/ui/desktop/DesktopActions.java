@@ -41,8 +41,8 @@ public final class DesktopActions {
     private volatile Thread copying;                          // a picture to the clipboard; null if none was
     private Made made;
 
-    /** The picture shown, with its scene and request; the picture is null if only a region of it was made. */
-    private record Made(Picture picture, SceneSource source, RenderRequest request) {
+    /** The picture shown, with its scene, its frame of a film, and its request; the picture is null if only a region of it was made. */
+    private record Made(Picture picture, SceneSource source, int frame, RenderRequest request) {
     }
 
     /**
@@ -154,10 +154,10 @@ public final class DesktopActions {
         RenderJob.Snapshot now = job == null ? null : job.snapshot();
         if (whole != null) {
             if (made == null || made.picture != whole) {
-                made = new Made(whole, shown.source(), now.request());
+                made = new Made(whole, shown.source(), now.frame(), now.request());
             }
         } else if (now != null && now.isAlone() && now.state() == RenderJob.State.FINISHED && !shown.isBusy()) {
-            made = new Made(null, shown.source(), now.request().with(now.region()));
+            made = new Made(null, shown.source(), now.frame(), now.request().with(now.region()));
         } else {
             made = null;
         }
@@ -173,7 +173,7 @@ public final class DesktopActions {
      */
     public void saved(SceneSource text, SceneSource file) {
         if (made != null && made.source == text) {
-            made = new Made(made.picture, file, made.request);
+            made = new Made(made.picture, file, made.frame, made.request);
             refresh();
         }
     }
@@ -194,7 +194,7 @@ public final class DesktopActions {
 
     private void copyCommand() {
         SceneSource scene = made.source;
-        String line = CommandWords.line(scene.path(), scene.reach(), PictureDialogs.pictureName(scene), made.request);
+        String line = CommandWords.line(scene.path(), scene.reach(), PictureDialogs.pictureName(scene), made.frame, made.request);
         copy(new StringSelection(line), "Copied the command line");
     }
 

@@ -102,7 +102,7 @@ public final class Inspector {
         MouseAdapter mouse = new MouseAdapter() {
             @Override
             public void mouseMoved(MouseEvent e) {
-                hover(picture.pixelAt(e.getPoint()));
+                hover(picture.isPlayed() ? null : picture.pixelAt(e.getPoint()));
             }
 
             @Override

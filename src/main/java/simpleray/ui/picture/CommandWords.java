@@ -23,12 +23,16 @@ public final class CommandWords {
      * @param scene the scene's file
      * @param reach which OBJ files it may name
      * @param name the name of the picture's file
+     * @param frame the frame, if the scene is a film; 0 for the first
      * @param request what was asked for; what was not is left to the scene's file, as it was in the window
      * @return a line for this system's shell
      */
-    public static String line(Path scene, Reach reach, String name, RenderRequest request) {
+    public static String line(Path scene, Reach reach, String name, int frame, RenderRequest request) {
         List<String> words = new ArrayList<>(program());
         words.addAll(render(scene, name, request));
+        if (frame > 0) {
+            words.addAll(List.of("--frame", Integer.toString(frame)));
+        }
         if (reach == Reach.ANYWHERE) {
             words.add("--allow-outside");
         }

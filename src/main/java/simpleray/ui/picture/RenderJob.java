@@ -38,6 +38,7 @@ public final class RenderJob {
     private final SceneReport known;                          // to be shown in place of the findings about that scene; none for these
     private final Region region;                              // what is asked to come first; null for nothing
     private final boolean alone;
+    private int asked;                                        // the frame, if the scene is a film; not changed after the start
     private final PixelRunQueue runs = new PixelRunQueue();
     private final Thread thread;
     private int room;
@@ -65,8 +66,20 @@ public final class RenderJob {
         }
     }
 
-    /** A scene that was read, the first frame of it if it is a film, and that frame's structures. */
-    private record LoadedScene(SceneFile film, SceneFile file, PreparedScene prepared) {
+    /** A scene that was read, a frame of it if it is a film, and that frame's structures. */
+    private record LoadedScene(SceneFile film, int frame, SceneFile file, PreparedScene prepared) {
+        /** {@return a frame of a film that was read; of a shorter film its last} */
+        static LoadedScene of(SceneFile film, int asked) {
+            int frame = Math.min(asked, film.scene().film().frames() - 1);
+            SceneFile file = film.still(frame);
+            return new LoadedScene(film, frame, file, new PreparedScene(file.scene()));
+        }
+
+        /** {@return another frame, with what stays of the structures} */
+        LoadedScene at(int other) {
+            LoadedScene next = of(film, other);
+            return next.frame == frame ? this : new LoadedScene(film, next.frame, next.file, prepared);
+        }
     }
 
     /** The renderer, its request with the size and its start; renderer and image are null once they are dropped. */
@@ -98,6 +111,16 @@ public final class RenderJob {
         /** {@return what was asked for, with the size that it has of the window; null before rendering has begun} */
         public RenderRequest request() {
             return run == null ? null : run.request;
+        }
+
+        /** {@return the scene as it was read, with all its frames; null until then} */
+        public SceneFile film() {
+            return loaded == null ? null : loaded.film;
+        }
+
+        /** {@return the frame that is rendered; 0 for a scene that is no film} */
+        public int frame() {
+            return loaded == null ? 0 : loaded.frame;
         }
 
         /** {@return the settings of the picture, from the scene and from what was asked for; null before rendering has begun} */
@@ -193,6 +216,11 @@ public final class RenderJob {
     /** Sets how many pixels each side has of a picture whose size nobody asks for; 0 for the command line's. Call before the start. */
     void setRoom(int side) {
         room = side;
+    }
+
+    /** Sets the frame that is rendered if the scene is a film; 0, unless it is set. Call before the start. */
+    void setFrame(int frame) {
+        asked = frame;
     }
 
     void start() {
@@ -320,10 +348,8 @@ public final class RenderJob {
         RenderJob last = before;
         before = null;                                        // else each would keep all before it
         if (last == null) {
-            SceneFile film = source.read();
-            SceneFile file = film.still(0);
-            LoadedScene loaded = new LoadedScene(film, file, new PreparedScene(file.scene()));
-            latest.set(new Snapshot(State.READING, loaded, null, SceneReport.of(file.warnings()), "", 0));
+            LoadedScene loaded = LoadedScene.of(source.read(), asked);
+            latest.set(new Snapshot(State.READING, loaded, null, SceneReport.of(loaded.file.warnings()), "", 0));
             return loaded;
         }
         last.cancel();
@@ -334,8 +360,9 @@ public final class RenderJob {
         }
         Snapshot end = last.snapshot();
         checked = last.checked || !known.isEmpty() || !end.failure.isEmpty();
-        latest.set(new Snapshot(State.RENDERING, end.loaded, null, known.isEmpty() ? end.findings : known, "", 0));
-        return end.loaded;
+        LoadedScene loaded = end.loaded.at(asked);
+        latest.set(new Snapshot(State.RENDERING, loaded, null, known.isEmpty() ? end.findings : known, "", 0));
+        return loaded;
     }
 
     /** {@return what was asked for; with the size of the room, if neither that nor the scene says one} */
@@ -350,7 +377,7 @@ public final class RenderJob {
 
     private void render(LoadedScene scene) {
         RenderRequest sized = sized(scene.file.scene());
-        Renderer renderer = scene.prepared.renderer(sized);
+        Renderer renderer = scene.prepared.renderer(sized, scene.file.scene());
         Picture picture = renderer.picture();
         picture.tell(Provenance.of(sized, scene.file));
         SceneSettings settings = sized.applyTo(scene.file.scene()).settings;

@@ -45,6 +45,7 @@ public final class SimpleRay extends ZoomedComponent implements Runnable {
     private transient int side;                               // of pictures whose size nobody asks for; 0 before there is a window
     private transient SceneSource source;
     private transient RenderRequest request;
+    private transient int frame;                              // of the next rendering, if the scene is a film
     private transient ProgressiveImage progressive;           // touched by the event thread alone
     private transient BufferedImage image;                    // the progressive one's
     private transient RenderJob job;
@@ -55,6 +56,8 @@ public final class SimpleRay extends ZoomedComponent implements Runnable {
     private transient Picture whole;                          // the picture that is shown, once all its rows are
     private transient RenderJob seen;                         // the one whose runs are in the image; null for none
     private transient boolean shown;                          // a run of this rendering is in the image
+    private transient BufferedImage played;                   // shown in place of the picture; null for nothing
+    private transient RenderRequest playedFor;                // with which the frame played last is rendered; null while a film plays
     private transient BufferedImage marks;                    // painted over the picture; null for none
     private transient BufferedImage lit;                      // painted over the picture, likewise
     private transient Runnable listener = () -> { };
@@ -135,7 +138,8 @@ public final class SimpleRay extends ZoomedComponent implements Runnable {
                 start();                                      // another text of the scene
             } else {
                 SceneReport known = last == job ? SceneReport.NONE : now.findings();
-                begin(new RenderJob(last, known, request, regions.region(), regions.isAlone()), shown && request == job.request());
+                begin(new RenderJob(last, known, request, regions.region(), regions.isAlone()),
+                    shown && request == job.request() && frame == now.frame());
             }
             again = false;
         }
@@ -188,6 +192,7 @@ public final class SimpleRay extends ZoomedComponent implements Runnable {
         shown = false;
         kept = keep;
         job = next;
+        next.setFrame(frame);
         next.whenCoarse(() -> SwingUtilities.invokeLater(this));   // at once, not when the kicker comes
         next.start();
         kicker.start();
@@ -228,6 +233,9 @@ public final class SimpleRay extends ZoomedComponent implements Runnable {
         long time = System.nanoTime();
         if (!job.runs().isEmpty() && !unseen && (shown || ended || job.runs().isCoarse() || now.age(time) > HOLD)) {
             showRuns(time + MAX_WORK);
+        }
+        if (playedFor != null && shown && (ended || playedFor != request || played.getWidth() < image.getWidth())) {
+            play(null);
         }
         if (ended && (unseen || job.runs().isEmpty())) {
             kicker.stop();
@@ -282,8 +290,8 @@ public final class SimpleRay extends ZoomedComponent implements Runnable {
         screen.fillRect(0, 0, getWidth(), getHeight());
         Rectangle place = place();
         if (!place.isEmpty()) {
-            placed().paint(screen, image, ui());
-            if (marks != null) {
+            placed().paint(screen, played == null ? image : played, ui());
+            if (marks != null && played == null) {
                 placed().paint(screen, marks, ui());
             }
             if (lit != null) {
@@ -354,6 +362,51 @@ public final class SimpleRay extends ZoomedComponent implements Runnable {
      */
     public void setRequest(RenderRequest other) {
         request = other;
+    }
+
+    /**
+     * Sets the frame of the next rendering, if the scene is a film.
+     *
+     * @param other the frame, 0 or more; of a shorter film its last is rendered
+     */
+    public void setFrame(int other) {
+        frame = other;
+    }
+
+    /** {@return the frame of the next rendering, if the scene is a film} */
+    public int frame() {
+        return frame;
+    }
+
+    /**
+     * Shows the picture of a frame in place of the rendered one, whatever its size, while a film is played.
+     *
+     * @param image the frame's picture, not to be changed; null for the rendered one
+     */
+    public void play(BufferedImage image) {
+        boolean other = (played == null) != (image == null);
+        playedFor = null;
+        if (played != image) {
+            played = image;
+            repaint();
+        }
+        if (other) {
+            listener.run();                                   // there is a whole picture now, or there is none
+        }
+    }
+
+    /**
+     * Ends that as soon as the next rendering has something as good to show.
+     *
+     * @param of the request with which the frame was rendered
+     */
+    public void endPlay(RenderRequest of) {
+        playedFor = of;
+    }
+
+    /** {@return whether a frame's picture is shown in place of the rendered one} */
+    public boolean isPlayed() {
+        return played != null;
     }
 
     /** {@return the request of the next rendering} */
@@ -432,9 +485,9 @@ public final class SimpleRay extends ZoomedComponent implements Runnable {
         return kicker.isRunning();
     }
 
-    /** {@return the picture that is shown, if it is whole; null if not} */
+    /** {@return the picture that is shown, if it is whole and of no film that plays; null if not} */
     public Picture whole() {
-        return whole;
+        return played == null ? whole : null;
     }
 
     /** {@return the image that is shown; pixels that were not painted are transparent} Not to be changed. */

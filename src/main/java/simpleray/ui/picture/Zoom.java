@@ -47,7 +47,7 @@ public record Zoom(boolean fitted, double scale) {
         }
 
         /**
-         * Paints the picture in pixels of the screen, so that at 100 % and its multiples each pixel of the picture is a square of them.
+         * Paints the picture, or a coarser one in its place, in pixels of the screen, so that at 100 % and its multiples each pixel of the picture is a square of them.
          *
          * @param g paints the component
          * @param ui how many screen pixels a unit of the component's size has
@@ -60,9 +60,9 @@ public record Zoom(boolean fitted, double scale) {
             screen.translate((double) Math.round(units.getTranslateX()), (double) Math.round(units.getTranslateY()));
             screen.scale(shrunk, shrunk);
             screen.setRenderingHint(RenderingHints.KEY_INTERPOLATION,
-                scale < 1 ? RenderingHints.VALUE_INTERPOLATION_BILINEAR : RenderingHints.VALUE_INTERPOLATION_NEAREST_NEIGHBOR);
+                scale < 1 || image.getWidth() < width / scale ? RenderingHints.VALUE_INTERPOLATION_BILINEAR : RenderingHints.VALUE_INTERPOLATION_NEAREST_NEIGHBOR);
             Rectangle clip = screen.getClipBounds();
-            if (scale != Math.rint(scale) || clip == null) {
+            if (scale != Math.rint(scale) || clip == null || image.getWidth() * scale != width) {
                 screen.drawImage(image, x, y, width, height, null);
             } else {
                 paintVisible(screen, image, clip);

@@ -91,8 +91,8 @@ class ReachOfSourcesTest {
     void theCopiedCommandLineAllowsWhatTheWindowWasAllowed() {
         RenderRequest request = new RenderRequest(new SceneSettings(), Stage.FINAL, false, 1);
 
-        assertThat(CommandWords.line(scene, Reach.ANYWHERE, "a.png", request)).endsWith(" -o a.png --allow-outside");
-        assertThat(CommandWords.line(scene, Reach.FOLDER, "a.png", request)).endsWith(" -o a.png");
+        assertThat(CommandWords.line(scene, Reach.ANYWHERE, "a.png", 0, request)).endsWith(" -o a.png --allow-outside");
+        assertThat(CommandWords.line(scene, Reach.FOLDER, "a.png", 0, request)).endsWith(" -o a.png");
     }
 
     @Test

@@ -94,7 +94,13 @@ class CommandWordsTest {
     void onlyWhatWasAskedForIsSaid() {
         RenderRequest request = new RenderRequest(new SceneSettings(), Stage.FINAL, false, 4);
 
-        assertThat(CommandWords.line(Path.of("/s/room.scene"), Reach.FOLDER, "room.png", request)).endsWith(" render /s/room.scene -o room.png");
+        assertThat(CommandWords.line(Path.of("/s/room.scene"), Reach.FOLDER, "room.png", 0, request)).endsWith(" render /s/room.scene -o room.png");
+    }
+
+    @Test
+    void aFrameIsSaidUnlessItIsTheFirst() {
+        assertThat(CommandWords.line(Path.of("/s/film.scene"), Reach.FOLDER, "film.png", 12, new RenderRequest()))
+            .endsWith(" -o film.png --frame 12");
     }
 
     @Test
