@@ -186,15 +186,19 @@ public record Orbit(double x, double y, double z, double yaw, double pitch, doub
      * @return the moved camera
      */
     public Orbit dollied(double factor, Point to) {
-        Pose before = pose();
         Orbit nearer = dollied(factor);
-        double way = 1 - nearer.distance / distance;
-        double right = way * (to.x - before.ex());
-        double up = way * (to.y - before.ey());
-        double back = way * (to.z - before.ez());
+        Pose eye = pose();
         Pose after = nearer.pose();                           // which went straight to the pivot
-        return nearer.sound(x + right + before.ex() - after.ex(), y + up + before.ey() - after.ey(), z + back + before.ez() - after.ez(),
-            yaw, pitch, nearer.distance);
+        Vector by = new Vector(to.x - eye.ex(), to.y - eye.ey(), to.z - eye.ez());
+        if (isParallel()) {
+            Vector back = behind(1);
+            by.add(Vector.scale(back, -by.dot(back)));        // sideways
+            by.scale(1 - nearer.height / height);
+        } else {
+            by.scale(1 - nearer.distance / distance);
+            by.add(new Vector(eye.ex() - after.ex(), eye.ey() - after.ey(), eye.ez() - after.ez()));
+        }
+        return nearer.sound(nearer.moved(by, nearer.distance));
     }
 
     /**
@@ -216,10 +220,15 @@ public record Orbit(double x, double y, double z, double yaw, double pitch, doub
             return this;
         }
         if (before.yaw == yaw && before.pitch == pitch) {
-            return sound(x + dx, y + dy, z + dz, yaw, pitch, distance);
+            return sound(moved(new Vector(dx, dy, dz), distance));
         }
-        Pose slid = new Pose(end.x, end.y, end.z, x, y, z, fov);
-        return slid.fault() == null ? of(slid) : before;
+        SceneSettings slid = settings();
+        if (isParallel()) {
+            slid.parallel = new View(end.x, end.y, end.z, x, y, z, height);
+        } else {
+            slid.camera = new Pose(end.x, end.y, end.z, x, y, z, fov);
+        }
+        return isFaultless(slid) ? of(slid) : before;
     }
 
     /**
@@ -233,7 +242,9 @@ public record Orbit(double x, double y, double z, double yaw, double pitch, doub
      * @return the point that is seen there; if that is no object, one as far away as the pivot
      */
     public Point seenAt(Scene scene, int width, int height, double px, double py) {
-        Ray ray = new PerspectiveCamera(pose(), width, height).through(px, py);
+        SceneSettings sized = settings();
+        sized.resolution = new SceneSettings.Resolution(width, height);
+        Ray ray = sized.newCamera().through(px, py);
         Hit hit = new Hit();
         return ray.getPointAt(new BruteForceIntersector(scene).intersect(ray, hit) ? hit.t : distance);
     }
@@ -265,8 +276,11 @@ public record Orbit(double x, double y, double z, double yaw, double pitch, doub
     private Orbit sound(Orbit other) {
         Pose pose = other.pose();
         boolean finite = Double.isFinite(pose.ex() + pose.ey() + pose.ez()) && Double.isFinite(other.x + other.y + other.z);
-        SceneSettings settings = other.settings();
-        return finite && (isParallel() ? settings.parallel.fault() : settings.camera.fault()) == null ? other : this;
+        return finite && isFaultless(other.settings()) ? other : this;
+    }
+
+    private static boolean isFaultless(SceneSettings free) {
+        return (free.parallel == null ? free.camera.fault() : free.parallel.fault()) == null;
     }
 
     private static double sin(double degrees) {

@@ -311,7 +311,7 @@ final class ViewerFrame extends JFrame implements EditorContext {
         if ((faults != null || now.state() != RenderJob.State.READING) && (job != told || !text.equals(toldText))) {
             told = job;
             toldText = text;
-            showProblems(report);
+            showProblems(report, now.state());
             document.markProblems(job);
         }
         refreshMenus();
@@ -341,7 +341,7 @@ final class ViewerFrame extends JFrame implements EditorContext {
         status.showPixel(line);
     }
 
-    private void showProblems(SceneReport report) {
+    private void showProblems(SceneReport report, RenderJob.State state) {
         String text = report.text();
         if (text.equals(problems.getText())) {
             return;                                           // the same as before: the selection stays
@@ -353,7 +353,7 @@ final class ViewerFrame extends JFrame implements EditorContext {
         split.setDividerSize(pane == null ? 0 : DIVIDER);
         if (pane != null) {
             // warnings of a picture that is there take the room that it has left for them
-            int height = picture.seen() == null || now.state() == RenderJob.State.FAILED ? pane.getPreferredSize().height : LINES;
+            int height = picture.seen() == null || state == RenderJob.State.FAILED ? pane.getPreferredSize().height : LINES;
             split.setDividerLocation(split.getHeight() - split.getDividerSize() - height);
         }
     }

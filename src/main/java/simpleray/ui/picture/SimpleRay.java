@@ -149,7 +149,7 @@ public final class SimpleRay extends ZoomedComponent implements Runnable {
     private int side() {
         int room = room();
         if (room > 0 && (zoom().fitted() && !isHeld() || side == 0)) {
-            long pixels = Runtime.getRuntime().maxMemory() / SHARE / Picture.bytesNeeded(1, 1);
+            long pixels = Runtime.getRuntime().maxMemory() / SHARE / Picture.bytesNeeded(1, 1, Picture.RGBA);
             side = Math.max(1, (int) Math.min(room, Math.sqrt(pixels)));
         }
         return side;
