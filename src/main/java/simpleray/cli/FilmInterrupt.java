@@ -1,17 +1,17 @@
 package simpleray.cli;
 
 import java.io.Closeable;
-import java.util.concurrent.CancellationException;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Supplier;
-import simpleray.render.Renderer;
+import simpleray.film.FilmRenderer;
 
 /** Ends the rendering of a film when the program is told to stop, and then says how to go on. Any thread may call. */
 final class FilmInterrupt implements Closeable {
     /** How long the end of the program waits for the rendering to end, in milliseconds. */
     private static final long PATIENCE = 1_200;
 
+    private final FilmRenderer film;
     private final RenderCheckpointer.Notes notes;
     private final Supplier<String> kept;
     private final CountDownLatch closed = new CountDownLatch(1);
@@ -21,65 +21,35 @@ final class FilmInterrupt implements Closeable {
             FilmInterrupt.this.interrupted();
         }
     };
-    private Renderer current;
-    private boolean stopped;
-    private boolean finished;
 
     /**
      * Begins to listen.
      *
+     * @param film the film
      * @param notes where messages go
      * @param kept says what is kept, and how to go on
      */
-    FilmInterrupt(RenderCheckpointer.Notes notes, Supplier<String> kept) {
+    FilmInterrupt(FilmRenderer film, RenderCheckpointer.Notes notes, Supplier<String> kept) {
+        this.film = film;
         this.notes = notes;
         this.kept = kept;
         try {
             Runtime.getRuntime().addShutdownHook(hook);
         } catch (IllegalStateException e) {
-            stopped = true;                                   // the program is being stopped already
+            film.cancel();                                    // the program is being stopped already
         }
-    }
-
-    /**
-     * Notes which frame is being rendered.
-     *
-     * @throws CancellationException if the program has been told to stop
-     */
-    synchronized void renders(Renderer frame) {
-        if (stopped) {
-            throw new CancellationException("told to stop");
-        }
-        current = frame;
-    }
-
-    /** {@return whether the program has been told to stop} Faults from then on come from that. */
-    synchronized boolean isStopped() {
-        return stopped;
-    }
-
-    /** Notes that the film is whole. */
-    synchronized void finished() {
-        finished = true;
     }
 
     /** Ends the rendering because the program is told to stop. */
     void interrupted() {
-        synchronized (this) {
-            stopped = true;
-            if (current != null) {
-                current.cancel();
-            }
-        }
+        film.cancel();
         try {
             closed.await(PATIENCE, TimeUnit.MILLISECONDS);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }
-        synchronized (this) {
-            if (!finished) {
-                notes.err().println("simpleray: interrupted" + kept.get());
-            }
+        if (!film.isDone()) {
+            notes.err().println("simpleray: interrupted" + kept.get());
         }
     }
 

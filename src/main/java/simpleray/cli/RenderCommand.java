@@ -64,17 +64,8 @@ final class RenderCommand implements PlainCommand {
 
     @Mixin
     private final OptionGroup others = new OptionGroup();
-    private final CommandOption<Stats.Format> stats = others.add(CommandOption.choice(Stats.Format.values(), null, "FORMAT",
-        "Also print what was done, on standard output (on standard error if the picture goes there): rays by kind and "
-            + "depth, tests a ray, time of each phase. FORMAT: ${COMPLETION-CANDIDATES}.", "--stats"));
-    private final CommandOption<Region> region = others.add(new CommandOption<>(null, "X,Y,W,H",
-        "Only this piece of the picture: the column of its left edge, the row of its upper one, its width and height in "
-            + "pixels. They are the pixels of the whole picture.", "--region") {
-        @Override
-        Region parse(String text) {
-            return Values.region(text);
-        }
-    });
+    private final CommandOption<Stats.Format> stats = others.add(statsOption());
+    private final CommandOption<Region> region = others.add(regionOption());
     private final CommandOption<Band> band = others.add(new CommandOption<>(null, "I/N",
         "Only band I, from 1 on, of the N bands of rows into which the picture, or the region, is cut; simpleray merge makes the "
             + "picture of all its bands.", "--band") {
@@ -99,6 +90,25 @@ final class RenderCommand implements PlainCommand {
     /** A command whose line is read without picocli. */
     RenderCommand(Main main) {
         this.main = main;
+    }
+
+    /** {@return the option that asks for statistics, of a picture or a film} */
+    static CommandOption<Stats.Format> statsOption() {
+        return CommandOption.choice(Stats.Format.values(), null, "FORMAT",
+            "Also print what was done, on standard output (on standard error if the picture goes there): rays by kind and "
+                + "depth, tests a ray, time of each phase. FORMAT: ${COMPLETION-CANDIDATES}.", "--stats");
+    }
+
+    /** {@return the option that asks for a piece of a picture, or of each frame of a film} */
+    static CommandOption<Region> regionOption() {
+        return new CommandOption<>(null, "X,Y,W,H",
+            "Only this piece of the picture: the column of its left edge, the row of its upper one, its width and height in "
+                + "pixels. They are the pixels of the whole picture.", "--region") {
+            @Override
+            Region parse(String text) {
+                return Values.region(text);
+            }
+        };
     }
 
     @Override

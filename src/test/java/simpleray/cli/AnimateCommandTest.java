@@ -364,4 +364,53 @@ class AnimateCommandTest {
         assertThat(bytes("film.gif")).isEqualTo(bytes("whole.gif"));
         assertThat(files()).containsExactly("film.gif", "whole.gif");
     }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"film.gif", "%d.png"})
+    @Timeout(value = 120, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
+    void oneThatIsKilledGoesOnToTheSameBytes(String out) throws IOException, InterruptedException {
+        String line = "--size 200x150 --turntable 30 --threads 1";
+        Path err = folder.resolve("err.scene");
+        Process process = Program.program(folder, List.of(), ("animate film.scene --progress plain -o " + out + ' ' + line).split(" "))
+            .redirectError(err.toFile()).start();
+        try {
+            while (process.isAlive() && !Files.readString(err).startsWith(" 10 %, 3 of 30 frames, ")) {
+                Thread.sleep(20);
+            }
+        } finally {
+            process.destroyForcibly();                        // kill -9
+        }
+        assertThat(process.waitFor(30, TimeUnit.SECONDS)).isTrue();
+        assertThat(process.exitValue()).isNotZero();
+        Files.delete(err);
+        assertThat(folder.resolve("film.gif")).doesNotExist();
+
+        Program.Result result = run("animate @film.scene --resume -o @" + out + ' ' + line);
+
+        assertThat(result.exitCode()).as(result.err()).isZero();
+        assertThat(result.err()).containsPattern("going on with [1-9]\\d* of 30 frames");
+        List<String> there = files();
+        Files.createDirectory(folder.resolve("unbroken"));
+        good("animate @film.scene -q -o @unbroken/" + out + ' ' + line);
+        assertThat(there).hasSize(out.equals("film.gif") ? 1 : 30).allSatisfy(name ->
+            assertThat(bytes(name)).as(name).isEqualTo(bytes("unbroken/" + name)));
+    }
+
+    @Test
+    void aRegionIsThatOfEachFrame() throws IOException {
+        good("animate @film.scene -o @f.%d.png --region 2,1,6,5 -q");
+        good("render @film.scene --frame 3 -o @one.png --region 2,1,6,5 -q");
+
+        assertThat(bytes("f.3.png")).isEqualTo(bytes("one.png"));
+        assertThat(run("animate @film.scene -o @g.%d.png --region 20,1,6,5").exitCode()).isEqualTo(ExitCode.USAGE);
+    }
+
+    @Test
+    void statisticsAreThoseOfAllFrames() {
+        Program.Result one = run("animate @film.scene -o @f.%d.png --frames 0 --stats json -q");
+        Program.Result two = run("animate @film.scene -o @f.%d.png --frames 0,1 --stats json -q");
+
+        assertThat(one.text()).contains("\"primary\":96,");
+        assertThat(two.text()).contains("\"primary\":192,");
+    }
 }

@@ -1,4 +1,4 @@
-package simpleray.cli;
+package simpleray.film;
 
 import java.io.IOException;
 import java.nio.file.DirectoryStream;
@@ -7,14 +7,13 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Locale;
 import java.util.regex.Pattern;
-import simpleray.film.FramePattern;
 import simpleray.io.OutputTarget;
 
 /**
  * What a film is written to: a numbered PNG file for each frame; or one file, of a kind that the end of its name tells. The frames of a GIF and of an APNG
  * are first written into a folder beside it, from which an ended run can go on. <em>Constant.</em>
  */
-final class FilmOutput {
+public final class FilmOutput {
     /** What the folder of the frames is called: this behind the film's name. */
     private static final String FRAMES = ".frames";
     private static final Pattern PLACE = Pattern.compile("%\\d*d");
@@ -26,7 +25,7 @@ final class FilmOutput {
     private final Path folder;                                // of the frames of a single file; null if there are none
 
     /** Kinds of films. */
-    enum Kind {
+    public enum Kind {
         /** Numbered PNG files. */
         PNG,
         /** A GIF of one palette. */
@@ -38,7 +37,8 @@ final class FilmOutput {
         /** VP9 by ffmpeg. */
         WEBM;
 
-        boolean isByFfmpeg() {
+        /** {@return whether ffmpeg makes it} */
+        public boolean isByFfmpeg() {
             return this == MP4 || this == WEBM;
         }
     }
@@ -53,27 +53,26 @@ final class FilmOutput {
     /**
      * Finds out what a name stands for.
      *
-     * @throws CommandException if no film can be written under it
+     * @param name the name
+     * @return what it stands for
+     * @throws IllegalArgumentException if no film can be written under it; the message says why
      */
-    static FilmOutput of(String name) throws CommandException {
+    public static FilmOutput of(String name) {
         Kind kind = kind(name);
         if (kind == null) {
-            throw CommandException.usage("a film is written as numbered PNG files such as film.%04d.png, or as .gif, .apng, .mp4 or .webm, and not as "
-                + name);
+            throw new IllegalArgumentException("a film is written as numbered PNG files such as film.%04d.png, or as .gif, .apng, .mp4 or "
+                + ".webm, and not as " + name);
         }
         if (kind == Kind.PNG) {
-            try {
-                return new FilmOutput(name, kind, new FramePattern(name), null);
-            } catch (IllegalArgumentException e) {
-                throw CommandException.usage(e.getMessage());
-            }
+            return new FilmOutput(name, kind, new FramePattern(name), null);
         }
         if (PLACE.matcher(name).find()) {
-            throw CommandException.usage("the output " + name + " has a place for numbers: numbered frames are PNG files such as film.%04d.png");
+            throw new IllegalArgumentException("the output " + name + " has a place for numbers: numbered frames are PNG files "
+                + "such as film.%04d.png");
         }
         boolean stream = OutputTarget.isStream(Path.of(name));
         if (stream && kind.isByFfmpeg()) {
-            throw CommandException.usage("the output " + name + " is no file, which ffmpeg needs");
+            throw new IllegalArgumentException("the output " + name + " is no file, which ffmpeg needs");
         }
         if (kind.isByFfmpeg()) {
             return new FilmOutput(name, kind, null, null);
@@ -91,21 +90,23 @@ final class FilmOutput {
         return Path.of(System.getProperty("java.io.tmpdir"), "simpleray-" + Long.toHexString(System.nanoTime()) + FRAMES);
     }
 
-    String name() {
+    /** {@return the name} */
+    public String name() {
         return name;
     }
 
-    Kind kind() {
+    /** {@return of what kind it is} */
+    public Kind kind() {
         return kind;
     }
 
     /** {@return whether it is one file} */
-    boolean isSingle() {
+    public boolean isSingle() {
         return kind != Kind.PNG;
     }
 
     /** {@return whether frames are in PNG files, with which a run that has been ended can go on} */
-    boolean keepsFrames() {
+    public boolean keepsFrames() {
         return pattern != null && !isTemporary();
     }
 
@@ -113,29 +114,34 @@ final class FilmOutput {
         return folder != null && !folder.toString().equals(name + FRAMES);
     }
 
-    /** {@return the name of a frame's PNG file} */
-    String frame(int number) {
+    /**
+     * Names a frame's picture.
+     *
+     * @param number the frame
+     * @return the name of its PNG file
+     */
+    public String frame(int number) {
         return pattern.name(number);
     }
 
     /** {@return where the finished frames are, for messages} */
-    String place() {
+    public String place() {
         return folder == null ? name : folder.toString();
     }
 
     /** {@return whether there is a folder of frames, of an earlier run} */
-    boolean hasFolder() {
+    public boolean hasFolder() {
         return folder != null && Files.exists(folder);
     }
 
     /**
      * Makes the folder of the frames, if they have one of their own.
      *
-     * @throws CommandException if it cannot be created
+     * @throws IOException if it cannot be created
      */
-    void makeFolder() throws CommandException {
+    void makeFolder() throws IOException {
         if (folder != null) {
-            TextOutput.makeFolder(folder.toString());
+            Files.createDirectories(folder);
         }
     }
 
