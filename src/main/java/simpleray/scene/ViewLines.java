@@ -8,17 +8,37 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
+import java.util.stream.IntStream;
+import simpleray.scene.PerspectiveCamera.Pose;
 import simpleray.text.NumberParser;
 import simpleray.text.SceneReader;
 import simpleray.text.SourceSpan;
 
 /**
- * Edits the lines of a scene file that describe the camera: {@code camera}, or {@code window} and {@code cop}. All other bytes of the
- * file stay as they are. <em>Mutable</em>, for one thread.
+ * Edits the lines of a scene file that describe the camera: {@code camera}, or {@code window} and {@code cop}, and its keys. All other
+ * bytes of the file stay as they are. <em>Mutable</em>, for one thread.
  */
 public final class ViewLines {
+    /** The words of a key of the camera: key, the frame, camera and its numbers. */
+    private static final int KEY_WORDS = 3 + Key.Kind.CAMERA.channels;
+
     private final byte[] bytes;
     private final List<Edit> edits = new ArrayList<>();
+
+    /** A change of a scene file. */
+    public interface Change {
+        /**
+         * Changes a file.
+         *
+         * @param bytes the file's bytes
+         * @param path the file, for messages and for the OBJ files beside it
+         * @param reach the OBJ files that the scene may name
+         * @return the bytes of the changed file
+         * @throws simpleray.text.SceneFormatException if the file is no scene
+         * @throws IOException if a file that the scene names cannot be read
+         */
+        byte[] apply(byte[] bytes, Path path, Reach reach) throws IOException;
+    }
 
     /** A replacement of a piece of the file. */
     private record Edit(int start, int end, String text) {
@@ -53,14 +73,85 @@ public final class ViewLines {
      * @throws IOException if a file that the scene names cannot be read
      */
     public static byte[] put(byte[] bytes, Path path, SceneSettings view, Reach reach) throws IOException {
+        ViewLines file = new ViewLines(bytes);
+        file.edit(read(bytes, path, reach), of(view).lines().toList());
+        return file.edited();
+    }
+
+    /**
+     * Writes a key of the camera into the file of a film. Numbers of a key that is there already for that frame are changed; a new key
+     * follows the one of the frame before it. A camera that can have no keys is replaced by one that can.
+     *
+     * @param bytes the file's bytes
+     * @param path the file, for messages and for the OBJ files beside it
+     * @param frame the frame
+     * @param pose where the camera is then
+     * @param reach the OBJ files that the scene may name
+     * @return the bytes of the changed file
+     * @throws simpleray.text.SceneFormatException if the file is no scene
+     * @throws IOException if a file that the scene names cannot be read
+     */
+    public static byte[] putKey(byte[] bytes, Path path, int frame, Pose pose, Reach reach) throws IOException {
+        SceneSettings old = read(bytes, path, reach);
+        SceneSettings view = new SceneSettings();
+        view.camera = pose;
+        if (old.hasCamera() && old.camera == null && (old.keys == null || cameraKeys(old).isEmpty())) {
+            byte[] free = put(bytes, path, view, reach);
+            return putKey(free, path, frame, pose, reach);
+        }
+        ViewLines file = new ViewLines(bytes);
+        file.editKeys(old, frame, of(view).strip());
+        return file.edited();
+    }
+
+    private static SceneSettings read(byte[] bytes, Path path, Reach reach) throws IOException {
         Scene scene = new Scene();
         try (SceneReader reader = SourceSpan.reader(bytes, path)) {
             MeshFiles.of(reader, reach);
             scene.read(reader);
         }
-        ViewLines file = new ViewLines(bytes);
-        file.edit(scene.settings, of(view).lines().toList());
-        return file.edited();
+        return scene.settings;
+    }
+
+    /** {@return the indices of the camera's keys, in the order of their frames} */
+    private static List<Integer> cameraKeys(SceneSettings settings) {
+        return settings.keys == null ? List.of() : IntStream.range(0, settings.keys.size()).boxed()
+            .filter(i -> settings.keys.get(i).thing().kind() == Key.Kind.CAMERA)
+            .sorted(Comparator.comparingDouble(i -> settings.keys.get(i).frame())).toList();
+    }
+
+    private void editKeys(SceneSettings old, int frame, String camera) throws IOException {
+        String line = "key " + frame + ' ' + camera;
+        int begin = -1;                                       // of the first key behind the frame
+        int end = -1;                                         // of the last one before it
+        for (int i : cameraKeys(old)) {
+            double at = old.keys.get(i).frame();
+            int start = lineStart(old.keyLines.get(i));
+            List<SourceSpan> words = new SourceSpan(start, bytes.length).words(bytes).subList(0, KEY_WORDS);
+            if (at == frame) {
+                renumber(words.subList(KEY_WORDS - Key.Kind.CAMERA.channels, KEY_WORDS), camera.split(" "));
+                return;
+            }
+            begin = at > frame && begin < 0 ? start : begin;
+            end = at < frame ? (int) words.get(KEY_WORDS - 1).end() : end;
+        }
+        if (end < 0 && begin >= 0) {
+            edits.add(new Edit(begin, begin, line + lineBreak()));
+        } else {
+            insert(end < 0 ? (int) old.last.end() : end, List.of(line));
+        }
+    }
+
+    /** {@return the index at which a line begins; lines are counted from 1} */
+    private int lineStart(long number) {
+        int start = 0;
+        for (long line = 1; line < number; line++) {
+            while (!isBreak(start)) {
+                start++;
+            }
+            start = behindBreak(start);
+        }
+        return start;
     }
 
     private void edit(SceneSettings old, List<String> wanted) throws IOException {

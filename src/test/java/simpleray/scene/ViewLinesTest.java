@@ -185,4 +185,35 @@ class ViewLinesTest {
         view.window = window;
         return view;
     }
+
+    private static String putKey(String text, int frame) throws IOException {
+        byte[] put = ViewLines.putKey(text.getBytes(StandardCharsets.UTF_8), ROOM, frame, POSE, Reach.FOLDER);
+        return new String(put, StandardCharsets.UTF_8);
+    }
+
+    @Test
+    void aKeyOfTheCameraStandsBehindTheOneBeforeIt() throws IOException {
+        String head = SCENE + "\nframes 20 25\nkey 0 camera 0 0 1  0 0 0  50 # the first\n";
+        String tail = "key 9 camera 0 0 2\n  0 0 0  50\ndepth 3\n";
+        String key = "key 4 " + LINE + '\n';
+
+        assertThat(putKey(head + tail, 4)).isEqualTo(head + key + tail);
+        assertThat(putKey(head + tail, 12)).isEqualTo(head + tail.replace("depth", "key 12 " + LINE + "\ndepth"));
+        assertThat(putKey(SCENE + "\nframes 20 25\n" + tail, 4)).isEqualTo(SCENE + "\nframes 20 25\n" + key + tail);
+        assertThat(putKey(SCENE + "\nframes 20 25", 4)).isEqualTo(SCENE + "\nframes 20 25\nkey 4 " + LINE);
+    }
+
+    @Test
+    void ofAKeyThatIsThereOnlyTheNumbersChange() throws IOException {
+        String film = SCENE + "\r\nframes 20 25\r\nkey 4 light 1 0 0 0\r\nkey  4 camera 1 2.5 3.00  0 0 0  50 # c\r\n";
+        film = film.replace("0 # objects", "0").replace("\n0\r", "\n1 0 1 1 1 2 2 2\r");
+
+        assertThat(putKey(film, 4)).isEqualTo(film.replace("0 0 0  50 #", "0 0 -1.0  40.0 #"));
+    }
+
+    @Test
+    void aCameraThatCanHaveNoKeysIsReplaced() throws IOException {
+        assertThat(putKey(SCENE + "\nwindow -1 1 -1 1\ncop 3\nframes 20 25\n", 4))
+            .isEqualTo(SCENE + '\n' + LINE + "\nframes 20 25\nkey 4 " + LINE + '\n');
+    }
 }

@@ -8,7 +8,6 @@ import java.util.Arrays;
 import simpleray.io.AtomicFile;
 import simpleray.scene.Reach;
 import simpleray.scene.SceneFile;
-import simpleray.scene.SceneSettings;
 import simpleray.scene.ViewLines;
 import simpleray.text.SceneFormatException;
 
@@ -52,18 +51,18 @@ public final class FileSource implements SceneSource {
     }
 
     /**
-     * Writes the place of the camera into the file, and leaves the rest as it is.
+     * Changes the file, unless it has changed since it was read.
      *
-     * @param view settings that say where the camera is
+     * @param change the change
      * @throws FileSystemException if the file has changed since it was read, is no scene, or cannot be written; the reason says which
      * @throws IOException if it cannot be read or written
      */
-    public synchronized void save(SceneSettings view) throws IOException {
+    public synchronized void save(ViewLines.Change change) throws IOException {
         requireUnchanged();
         byte[] bytes = Files.readAllBytes(path);
         byte[] changed;
         try {
-            changed = ViewLines.put(bytes, path, view, reach);
+            changed = change.apply(bytes, path, reach);
         } catch (SceneFormatException e) {
             throw refusal("It is not readable as a scene: " + e.getMessage().lines().findFirst().orElse(""), e);
         }

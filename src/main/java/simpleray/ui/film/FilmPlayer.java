@@ -14,7 +14,10 @@ import simpleray.scene.Scene;
 import simpleray.scene.SceneSettings;
 import simpleray.scene.SceneSettings.Resolution;
 
-/** Renders the frames of a film in the order in which they are shown, on a thread of its own. For the event thread, but for what that thread does. */
+/**
+ * Renders the frames of a film in the order in which they are shown, on a thread of its own. For the event thread, but for what that thread
+ * does.
+ */
 final class FilmPlayer {
     private static final long IDLE = 10;                      // milliseconds between two looks whether a frame is wanted
 

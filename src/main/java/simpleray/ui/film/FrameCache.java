@@ -58,8 +58,8 @@ final class FrameCache {
     }
 
     /**
-     * Keeps the picture of a frame, in place of one that it may have. Where there is not room for all, those go first whose turn is the last; that may be
-     * the new one.
+     * Keeps the picture of a frame, in place of one that it may have. Where there is not room for all, those go first whose turn is the
+     * last; that may be the new one.
      *
      * @param turn tells how many frames are shown before a frame
      */

@@ -3,8 +3,9 @@ package simpleray.ui.film;
 import java.awt.Dimension;
 
 /**
- * Says which frame of a film is rendered next while it plays, and how coarse, so that the film plays at its rate. Where a frame takes longer than it is
- * shown, all are coarser. Once each frame is there, they are rendered again as fine as the memory has room for. <em>Mutable.</em> Any thread may call.
+ * Says which frame of a film is rendered next while it plays, and how coarse, so that the film plays at its rate. Where a frame takes
+ * longer than it is shown, all are coarser. Once each frame is there, they are rendered again as fine as the memory has room for.
+ * <em>Mutable.</em> Any thread may call.
  */
 final class PlayPlan {
     private static final int[] DIVISORS = {1, 2, 3, 4, 6, 8};

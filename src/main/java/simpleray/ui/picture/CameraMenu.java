@@ -16,6 +16,8 @@ import javax.swing.JMenu;
 import javax.swing.JOptionPane;
 import javax.swing.SwingUtilities;
 import simpleray.scene.FreeView;
+import simpleray.scene.Key;
+import simpleray.scene.PerspectiveCamera.Pose;
 import simpleray.scene.SceneSettings;
 import simpleray.scene.ViewLines;
 import simpleray.text.SceneFormatException;
@@ -68,6 +70,7 @@ public final class CameraMenu {
         menu.addSeparator();
         add("Copy Camera", "control shift C", this::copy);
         add("Save View in Scene", "control shift V", this::save);
+        add("Set Camera Key", "K", this::setKey);
     }
 
     /** {@return the menu} */
@@ -116,15 +119,17 @@ public final class CameraMenu {
         SceneSettings view = shortest(tool.view());
         if (view == null) {
             window.say("There is no view to save: no scene was read");
+        } else if (hasKeys()) {
+            window.say("The camera has keys: Camera > Set Camera Key writes this view as one of them");
         } else if (text.get() != null && tool.isOther()) {
-            putIntoText(picture.source(), text.get(), view);
+            putIntoText(picture.source(), text.get(), (bytes, path, reach) -> ViewLines.put(bytes, path, view, reach));
         } else if (!(picture.source() instanceof FileSource file)) {
             tell("The scene is in no file yet: File > Save Scene As\u2026 writes one");
         } else if (!tool.isOther()) {
             window.say("The scene has this view already");
         } else {
             writer.execute(() -> {
-                String failure = failure(file, view);
+                String failure = failure(file, (bytes, path, reach) -> ViewLines.put(bytes, path, view, reach));
                 if (failure == null) {
                     window.wroteScene();                       // else it would be read twice
                 }
@@ -133,15 +138,52 @@ public final class CameraMenu {
         }
     }
 
+    private boolean hasKeys() {
+        SceneSettings film = picture.job().snapshot().film().scene().settings;
+        return film.keys != null && film.keys.stream().anyMatch(key -> key.thing().kind() == Key.Kind.CAMERA);
+    }
+
+    /** Makes the view a key of the frame on the screen. */
+    private void setKey() {
+        SceneSettings view = tool.view();
+        RenderJob.Snapshot now = view == null ? null : picture.job().snapshot();
+        if (now == null || now.film().scene().settings.frames == null) {
+            window.say("Only a film has keys: frames n fps, in the scene's text, makes one");
+            return;
+        }
+        Pose pose = FreeView.alone(view).camera;
+        if (pose == null) {
+            window.say("A camera of parallel rays can have no keys");
+            return;
+        }
+        ViewLines.Change change = (bytes, path, reach) -> ViewLines.putKey(bytes, path, now.frame(), pose, reach);
+        if (text.get() != null) {
+            putIntoText(picture.source(), text.get(), change);
+        } else if (picture.source() instanceof FileSource file) {
+            writer.execute(() -> {
+                String failure = failure(file, change);
+                SwingUtilities.invokeLater(() -> {
+                    if (failure != null) {
+                        tell(file.name() + '\n' + failure);
+                    } else if (window.frame().isDisplayable() && picture.source() == file) {
+                        tool.release();                       // the changed file is read as one that another program has changed
+                        window.say("Set the camera's key at frame " + now.frame() + " in " + file.name() + file.note());
+                    }
+                });
+            });
+        } else {
+            tell("The scene is in no file yet: File > Save Scene As\u2026 writes one");
+        }
+    }
+
     /** Writes the view into the text beside the picture, in which something may be typed that the file does not have. */
-    private void putIntoText(SceneSource source, String edited, SceneSettings view) {
+    private void putIntoText(SceneSource source, String edited, ViewLines.Change change) {
         Path path = source.path() == null ? Path.of(source.name().replaceAll("[<>]", "")) : source.path();
         writer.execute(() -> {
             String put = null;
             String failure = null;
             try {
-                put = new String(ViewLines.put(edited.getBytes(StandardCharsets.UTF_8), path, view, source.reach()),
-                    StandardCharsets.UTF_8);
+                put = new String(change.apply(edited.getBytes(StandardCharsets.UTF_8), path, source.reach()), StandardCharsets.UTF_8);
             } catch (SceneFormatException e) {
                 failure = "The text is not readable as a scene: " + e.getMessage().lines().findFirst().orElse("");
             } catch (IOException | RuntimeException | OutOfMemoryError e) {
@@ -185,9 +227,9 @@ public final class CameraMenu {
     }
 
     /** {@return why the view could not be saved, a line; null if it was} */
-    private static String failure(FileSource file, SceneSettings view) {
+    private static String failure(FileSource file, ViewLines.Change change) {
         try {
-            file.save(view);
+            file.save(change);
             return null;
         } catch (FileSystemException e) {
             return e.getReason() != null ? e.getReason() : e.toString();

@@ -16,6 +16,7 @@ import simpleray.render.Stage;
 import simpleray.scene.PerspectiveCamera.Pose;
 import simpleray.scene.Reach;
 import simpleray.scene.SceneSettings;
+import simpleray.scene.ViewLines;
 import simpleray.text.SceneFormatException;
 import simpleray.ui.OpenWindow;
 import simpleray.ui.picture.CommandWords;
@@ -72,7 +73,7 @@ class ReachOfSourcesTest {
         SceneSettings view = new SceneSettings();
         view.camera = new Pose(0, 0, 3, 0, 0, 0, 40);
 
-        source.save(view);
+        source.save((bytes, file, reach) -> ViewLines.put(bytes, file, view, reach));
 
         assertThat(source.read().scene().settings.camera).isEqualTo(view.camera);
     }
@@ -82,7 +83,7 @@ class ReachOfSourcesTest {
         FileSource source = new FileSource(scene, Reach.FOLDER);
         assertThatThrownBy(source::read).isInstanceOf(SceneFormatException.class);
 
-        assertThatThrownBy(() -> source.save(new SceneSettings())).isInstanceOf(FileSystemException.class)
+        assertThatThrownBy(() -> source.save((bytes, file, reach) -> ViewLines.put(bytes, file, new SceneSettings(), reach))).isInstanceOf(FileSystemException.class)
             .hasMessage(scene + ": It is not readable as a scene: " + scene + REFUSED);
         assertThat(scene).hasBinaryContent(text);
     }

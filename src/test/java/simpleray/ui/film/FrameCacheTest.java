@@ -52,7 +52,8 @@ class FrameCacheTest {
         FrameCache cache = new FrameCache(5000);
         for (int i = 0; i < 1000; i++) {
             int at = random.nextInt(FRAMES);
-            cache.put(random.nextInt(FRAMES), picture(1 + random.nextInt(40), 1 + random.nextInt(40)), other -> Math.floorMod(other - at, FRAMES));
+            FrameCache.Kept picture = picture(1 + random.nextInt(40), 1 + random.nextInt(40));
+            cache.put(random.nextInt(FRAMES), picture, other -> Math.floorMod(other - at, FRAMES));
             long sum = 0;
             for (int frame = 0; frame < FRAMES; frame++) {
                 FrameCache.Kept kept = cache.get(frame);

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.awt.event.KeyEvent;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Collections;
 import java.util.Dictionary;
@@ -40,7 +41,8 @@ class TimeLineTest {
     }
 
     private static BufferedImage frame(Path scene, int frame) throws IOException {
-        return TestScenes.shown(OpenWindow.request(WIDTH, HEIGHT).renderer(SceneFile.read(scene).still(frame).scene()).render(RenderListener.NONE));
+        SceneFile still = SceneFile.read(scene).still(frame);
+        return TestScenes.shown(OpenWindow.request(WIDTH, HEIGHT).renderer(still.scene()).render(RenderListener.NONE));
     }
 
     private static OpenWindow finished(Path scene) {
@@ -84,7 +86,8 @@ class TimeLineTest {
         Path film = film("");
         try (OpenWindow window = finished(film)) {
             window.untilShown("the first frame", frame(film, 0));
-            OpenWindow.run(() -> slider().setValue(7));
+            JSlider slider = slider();
+            OpenWindow.run(() -> slider.setValue(7));
             window.untilShown("frame 7", frame(film, 7));
             window.untilState(RenderJob.State.FINISHED);
             assertThat(window.job().snapshot().frame()).isEqualTo(7);
@@ -170,6 +173,33 @@ class TimeLineTest {
             window.untilShown("the last frame", frame(film, FRAMES - 1));
             TestScenes.write(film, "0\n1 1 1\n0\nframes 3 30\n");
             Screen.until("it is read", () -> number().equals("Frame 2 of 0\u20132"));
+        }
+    }
+
+    @Test
+    void setCameraKeyWritesTheViewIntoTheFileAsAKeyOfTheFrame() throws Exception {
+        Path film = film("camera 0 0 3  0 0 0  50\nkey 9 camera 0 0 3  0 0 0  50\n");
+        try (OpenWindow window = finished(film)) {
+            JSlider slider = slider();
+            OpenWindow.run(() -> slider.setValue(4));
+            window.untilShown("frame 4", frame(film, 4));
+            window.screen.press(KeyEvent.VK_PAGE_DOWN);
+            Screen.until("the camera is moved", () -> window.picture().request().settings().camera != null);
+            window.untilState(RenderJob.State.FINISHED);
+            double away = OpenWindow.ask(() -> window.picture().request().settings().camera.ez());
+            window.screen.press(KeyEvent.VK_K);
+            Screen.until("it is written", () -> window.status().startsWith("Set the camera's key at frame 4 in "));
+            assertThat(Files.readString(film)).contains("\nkey 4 camera 0.0 0.0 " + away + " 0.0 0.0 ").contains("\nkey 9 camera 0 0 3  0 0 0  50\n");
+            window.untilShown("frame 4, with the key", frame(film, 4));
+            assertThat(OpenWindow.ask(() -> window.picture().request().settings().camera)).isNull();
+        }
+    }
+
+    @Test
+    void aSceneThatIsNoFilmHasNoKeys() {
+        try (OpenWindow window = finished(TestScenes.THESIS)) {
+            window.screen.press(KeyEvent.VK_K);
+            Screen.until("it is told", () -> window.status().equals("Only a film has keys: frames n fps, in the scene's text, makes one"));
         }
     }
 }

@@ -22,6 +22,7 @@ import simpleray.scene.PerspectiveCamera.Pose;
 import simpleray.scene.Reach;
 import simpleray.scene.SceneFile;
 import simpleray.scene.SceneSettings;
+import simpleray.scene.ViewLines;
 import simpleray.ui.OpenWindow;
 import simpleray.ui.Screen;
 import simpleray.ui.TestScenes;
@@ -97,7 +98,7 @@ class SaveViewTest {
         SceneSettings view = new SceneSettings();
         view.camera = new Pose(0, 0, 1, 0, 0, 0, 50);
 
-        assertThatThrownBy(() -> source.save(view))
+        assertThatThrownBy(() -> source.save((bytes, file, reach) -> ViewLines.put(bytes, file, view, reach)))
             .hasMessage(scene + ": It was changed on the disk since it was read: read it again first (F5)");
         assertThat(text()).isEqualTo(SCENE + "# by somebody else\r\n");
         assertThat(files()).isEqualTo(1);
