@@ -55,6 +55,7 @@ final class ViewerMenus {
         file.add(scene.saveAs());
         file.add(save);
         desktop.addCopying(file);
+        file.add(timeLine.export());
         file.addSeparator();
         file.add(KeyBindings.action("Quit", "control Q", quit));
 

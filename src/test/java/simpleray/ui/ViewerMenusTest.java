@@ -34,7 +34,7 @@ class ViewerMenusTest {
         assertThat(items(opened("File"))).containsExactly(
             "New ctrl pressed N", "Open… ctrl pressed O", "Examples… shift ctrl pressed O", "Open Recent null",
             "Reload ctrl pressed R",
-            "Save Scene As… ctrl alt pressed S", "Save Picture As… ctrl pressed S", "Copy Picture ctrl pressed C", "Copy Command Line shift ctrl pressed L",
+            "Save Scene As… ctrl alt pressed S", "Save Picture As… ctrl pressed S", "Copy Picture ctrl pressed C", "Copy Command Line shift ctrl pressed L", "Export Film… shift ctrl pressed E",
             "Quit ctrl pressed Q");
     }
 

@@ -38,8 +38,8 @@ import simpleray.ui.picture.ViewerContext;
 import simpleray.ui.widget.KeyBindings;
 
 /**
- * The time line of a film below its picture: a slider over its frames, on which the keys are marked, and what plays it. It is there while the scene has frames.
- * For the event thread.
+ * The time line of a film below its picture: a slider over its frames, on which the keys are marked, and what plays it. It is there while
+ * the scene has frames. For the event thread.
  */
 public final class TimeLine {
     private static final double SECOND = 1e9;
@@ -64,6 +64,8 @@ public final class TimeLine {
     private final Action next = KeyBindings.action("Next Frame", "alt PAGE_DOWN", () -> seek(frame() + 1));
     private final Action loop = KeyBindings.action("Loop Film", "shift P", this::loopChanged);
 
+    private final FilmExport export;
+
     private Scene scene;                                      // of the film; null without one
     private Film film;
     private SceneSettings settings;                           // of the frames' pictures
@@ -83,6 +85,7 @@ public final class TimeLine {
         this.window = window;
         picture = window.picture();
         worker = window.workers().stopping("simpleray-film");
+        export = new FilmExport(window);
         decorate(play, FilmIcon.PLAY, "Play the film, from this frame on");
         decorate(first, FilmIcon.FIRST, "Go to the film's first frame");
         decorate(last, FilmIcon.LAST, "Go to the film's last frame");
@@ -165,6 +168,11 @@ public final class TimeLine {
         return play;
     }
 
+    /** {@return what asks where the film is to be written, and writes it} */
+    public Action export() {
+        return export.action();
+    }
+
     /** {@return what goes to the first frame, with a sign for a button} */
     public Action first() {
         return first;
@@ -181,6 +189,7 @@ public final class TimeLine {
         picture.play(null);
         picture.setFrame(0);
         show(null, null);
+        export.setFilm(null);
     }
 
     /**
@@ -198,6 +207,7 @@ public final class TimeLine {
             request = job.request();
             show(now.film().scene(), now.settings());
         }
+        export.setFilm(film != null && now.film() != null ? job : null);
         showQuality();
     }
 
@@ -265,7 +275,8 @@ public final class TimeLine {
         slider.setLabelTable(marks.isEmpty() ? null : marks);
         slider.setPaintLabels(!marks.isEmpty());
         StringBuilder tip = new StringBuilder();
-        counts.forEach((thing, count) -> tip.append(tip.length() == 0 ? "Keys: " : ", ").append(thing).append(" (").append(count).append(')'));
+        counts.forEach((thing, count) ->
+            tip.append(tip.length() == 0 ? "Keys: " : ", ").append(thing).append(" (").append(count).append(')'));
         slider.setToolTipText(tip.length() == 0 ? "No keys" : tip.toString());
     }
 

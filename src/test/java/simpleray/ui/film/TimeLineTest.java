@@ -12,7 +12,6 @@ import java.util.Dictionary;
 import java.util.Set;
 import java.util.TreeSet;
 import javax.swing.JButton;
-import java.util.TreeSet;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JSlider;
