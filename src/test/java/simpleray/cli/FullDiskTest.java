@@ -79,4 +79,20 @@ class FullDiskTest {
         }
         return Program.finish(program.start(), new byte[0]);
     }
+
+    @Test
+    void aFilmKeepsItsWholeFramesAndGoesOnOnceThereIsRoom() throws IOException, InterruptedException {
+        Files.writeString(folder.resolve("rough.scene"), SmallScenes.ROUGH);
+        Files.createDirectory(folder.resolve("disk"));
+        assumeTrue(Files.isExecutable(Path.of("/bin/sh")) && shell(MOUNTED + "true").exitCode() == 0, "nothing can be mounted");
+
+        Program.Result result = shell(MOUNTED + "{ \"$@\" -o disk/%d.png; echo $?; ls -A disk | tr -d '\\n' | sed 's/[1-7].png//g'; echo; "
+            + "mount -o remount,size=9m disk; \"$@\" --resume -o disk/%d.png; echo $?; \"$@\" -o whole.%d.png; "
+            + "for f in 0 1 2 3 4 5 6 7; do cmp disk/$f.png whole.$f.png; done; ls -A disk | wc -l; }",
+            "animate rough.scene --size 100x100 --turntable 8".split(" "));
+
+        assertThat(result.text()).as(result.err()).isEqualTo("74\n0.png\n0\n8\n");
+        assertThat(result.err()).containsPattern("simpleray: disk/[1-7].png: cannot be written: No space left on device")
+            .containsPattern("going on with [1-7] of 8 frames").doesNotContain("\tat ");
+    }
 }
