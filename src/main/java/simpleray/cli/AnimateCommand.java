@@ -109,7 +109,8 @@ final class AnimateCommand implements Callable<Integer> {
         film = film(file, request);
         refuseInputs(file);
         RenderCheckpointer.Notes notes = new RenderCheckpointer.Notes(main.err(), work.quiet(), main.args(), main.lines());
-        try (FilmInterrupt listening = new FilmInterrupt(film, notes, () -> kept(notes))) {
+        FilmInterrupt listening = new FilmInterrupt(film, notes, () -> kept(notes));
+        try (listening) {
             write(notes);
             report(readSeconds);
             return ExitCode.DONE;
