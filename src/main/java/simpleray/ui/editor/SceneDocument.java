@@ -66,6 +66,7 @@ public final class SceneDocument {
         source = opened;
         saved = null;
         bytes = null;
+        next = () -> { };
         resolve();
         if (editor != null) {
             editor.begin("");
