@@ -8,6 +8,7 @@ import java.io.File;
 import javax.swing.BorderFactory;
 import javax.swing.JComponent;
 import javax.swing.JFrame;
+import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JSplitPane;
 import javax.swing.SwingUtilities;
@@ -51,7 +52,7 @@ final class ViewerFrame extends JFrame implements EditorContext {
     private final Banner banner = new Banner();
     private final JSplitPane split;
     private final JSplitPane beside = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT);
-    private final JComponent scrolled;                        // the picture, and the time line of a film
+    private final JPanel pictured = new JPanel(new BorderLayout());   // the picture, the camera's line, and the time line of a film
     private final StatusBar status = new StatusBar();
     private final transient DesktopActions desktop;
     private final transient Inspector inspector;
@@ -79,8 +80,6 @@ final class ViewerFrame extends JFrame implements EditorContext {
         picture = new SimpleRay(source, request);
         patience.setRepeats(false);
         timeLine = new TimeLine(this);
-        scrolled = timeLine.below(new JScrollPane(picture));
-        beside.setLeftComponent(scrolled);
         beside.setBorder(BorderFactory.createEmptyBorder());
         beside.setResizeWeight(HALF);
         beside.setDividerSize(0);                             // until the scene's text is shown
@@ -93,6 +92,10 @@ final class ViewerFrame extends JFrame implements EditorContext {
         desktop = new DesktopActions(this, preferences, look, this::lookChanged);
         comparison = new Comparison(this);
         camera = new CameraMenu(this, document::text, document::replace);
+        pictured.add(timeLine.below(new JScrollPane(picture)), BorderLayout.CENTER);
+        pictured.add(camera.line(), BorderLayout.SOUTH);
+        pictured.setMinimumSize(new Dimension());
+        beside.setLeftComponent(pictured);
         menus = new ViewerMenus(picture, dialogs, desktop, new SceneMenu(document, problems), inspector, comparison, camera, timeLine, this::close);
         setJMenuBar(menus.bar());
         add(new ToolBar(menus.bar()).above(banner), BorderLayout.NORTH);
@@ -167,8 +170,8 @@ final class ViewerFrame extends JFrame implements EditorContext {
     private void showPicture(boolean scene) {
         if (!scene) {
             beside.setLeftComponent(desktop.welcome());
-        } else if (beside.getLeftComponent() != scrolled) {
-            beside.setLeftComponent(scrolled);
+        } else if (beside.getLeftComponent() != pictured) {
+            beside.setLeftComponent(pictured);
             validate();
             picture.requestFocusInWindow();
         }

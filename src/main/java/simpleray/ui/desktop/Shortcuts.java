@@ -24,7 +24,7 @@ public final class Shortcuts {
         new Shortcut("Picture", "Tell a pixel's values", "Point at it"),
         new Shortcut("Picture", "Tell a pixel's story", "Click"),
         new Shortcut("Picture", "Zoom about the cursor", "Ctrl+Wheel"),
-        new Shortcut("Picture", "Scroll", "Shift+Wheel, Ctrl+Arrows"),
+        new Shortcut("Picture", "Scroll", "Wheel, Shift+Wheel, Ctrl+Arrows"),
         new Shortcut("Picture", "Render a rectangle first", "Shift+Drag"),
         new Shortcut("Picture", "Let go of the rectangle", "Escape, Shift+Click"),
         new Shortcut("Picture", "Take the pixel along, while its rays are shown", "Drag its frame, Ctrl+Drag"),

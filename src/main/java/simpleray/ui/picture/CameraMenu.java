@@ -67,10 +67,19 @@ public final class CameraMenu {
         add("Nearer", "PAGE_UP", () -> tool.dolly(1));
         add("Farther", "PAGE_DOWN", () -> tool.dolly(-1));
         add("Back to the Scene's Camera", "HOME", tool::reset);
+        add("Undo Camera Step", "control Z", tool::undo);
+        add("Redo Camera Step", "control shift Z", tool::redo);
         menu.addSeparator();
         add("Copy Camera", "control shift C", this::copy);
         add("Save View in Scene", "control shift V", this::save);
         add("Set Camera Key", "K", this::setKey);
+    }
+
+    /** {@return a line for the picture's foot, which tells how to move the camera, and once it is moved what to do about that} */
+    public JComponent line() {
+        CameraLine line = new CameraLine(tool::reset, this::save);
+        tool.setListener(() -> line.show(tool.isMoved(), tool.isKnown()));
+        return line;
     }
 
     /** {@return the menu} */

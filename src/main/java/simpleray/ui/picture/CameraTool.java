@@ -1,6 +1,7 @@
 package simpleray.ui.picture;
 
 import java.awt.Cursor;
+import java.awt.Dimension;
 import java.awt.Point;
 import java.awt.event.FocusAdapter;
 import java.awt.event.FocusEvent;
@@ -10,18 +11,23 @@ import java.awt.event.KeyEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.awt.event.MouseWheelEvent;
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.Optional;
 import java.util.function.UnaryOperator;
 import javax.swing.JScrollPane;
 import javax.swing.SwingUtilities;
 import simpleray.render.RenderRequest;
 import simpleray.scene.FreeView;
 import simpleray.scene.Orbit;
+import simpleray.scene.Scene;
 import simpleray.scene.SceneSettings;
 import simpleray.ui.file.SceneSource;
 
 /**
  * Moves the camera by mouse: the left button orbits round the pivot, the middle one, or Space and the left one, pans, the wheel
- * dollies, or zooms if rays are parallel. For the event thread.
+ * dollies to what is under it, or zooms if rays are parallel. The eye stops before a surface and slides along it. Steps can be undone: a drag
+ * is one. For the event thread.
  *
  * <p>Until it is moved, the camera is the scene's own, or the one asked for; then the free camera that shows the same takes its place
  * ({@link FreeView}). Each move is asked for at once; {@link SimpleRay#restart} takes as many as can be seen, and the last one in any case.
@@ -29,8 +35,10 @@ import simpleray.ui.file.SceneSource;
 final class CameraTool extends MouseAdapter {
     /** Fewer pixels of movement are a click. */
     private static final int DRAG = 4;
-    /** Degrees for a pixel of a drag. */
-    private static final double TURN = 0.5;
+    /** Degrees for a drag across all that is shown of the picture. */
+    private static final double TURN = 180;
+    /** Nanoseconds between two notches of the wheel that are one step. */
+    private static final long PAUSE = 500_000_000;
     /** The share of the distance to the pivot, or of the height of parallel rays, that a notch of the wheel leaves. */
     private static final double NOTCH = 0.9;
 
@@ -38,6 +46,12 @@ final class CameraTool extends MouseAdapter {
     private Orbit orbit;                                      // null while the camera was not moved
     private SceneSettings home;                               // the settings asked for before it was moved; null likewise
     private boolean aimed;                                    // the pivot is the point in the middle of the picture
+    private Scene scene;                            // the last that was read; what stops the eye
+    private final Deque<Optional<Orbit>> undone = new ArrayDeque<>();
+    private final Deque<Optional<Orbit>> done = new ArrayDeque<>();   // where the camera was before each step; empty for the scene's own
+    private boolean fresh;                                    // the next move begins a step
+    private long wheeled;                                     // when the wheel was last turned
+    private Runnable listener = () -> { };
     private Point last;                                       // of the mouse while a button is down; null for a button of others
     private boolean dragging;
     private boolean panning;
@@ -72,27 +86,97 @@ final class CameraTool extends MouseAdapter {
         });
     }
 
+    /** Sets what is told when the camera is moved, or is the scene's own again. */
+    void setListener(Runnable other) {
+        listener = other;
+    }
+
+    /** {@return whether the camera was moved} */
+    boolean isMoved() {
+        return home != null;
+    }
+
+    /** {@return whether a drag was begun, or another move made, in this window} */
+    boolean isKnown() {
+        return !done.isEmpty() || !undone.isEmpty();
+    }
+
     /** Goes round the pivot, to the right and up. */
     void turn(double degreesRight, double degreesUp) {
+        fresh = true;
         move(o -> o.turned(degreesRight, degreesUp));
     }
 
     /** Goes sideways; 1 is the height of the picture. */
     void pan(double right, double up) {
+        fresh = true;
+        slide(right, up);
+    }
+
+    private void slide(double right, double up) {
         move(o -> o.panned(right, up));
         aimed = false;                                        // the middle shows something else now
     }
 
     /** Goes nearer by a number of notches of the wheel; negative for farther. */
     void dolly(double notches) {
+        fresh = true;
         move(o -> o.dollied(Math.pow(NOTCH, notches)));
+    }
+
+    /** Goes nearer to what is at a point of the component, or away from it. */
+    private void dolly(double notches, Point to) {
+        long now = System.nanoTime();
+        fresh |= done.isEmpty() || now - wheeled > PAUSE;
+        wheeled = now;
+        Zoom.Place place = picture.placed();
+        Dimension size = picture.imageSize();
+        double x = (to.x * picture.ui() - place.x()) / place.scale();
+        double y = (to.y * picture.ui() - place.y()) / place.scale();
+        double factor = Math.pow(NOTCH, notches);
+        boolean inside = x >= 0 && y >= 0 && x < size.width && y < size.height;
+        move(o -> inside && scene != null ? o.dollied(factor, o.seenAt(scene, size.width, size.height, x, y)) : o.dollied(factor));
+        aimed = false;
     }
 
     /** Goes back to the scene's own camera. */
     void reset() {
-        if (forget()) {
-            picture.restart();
+        if (isMoved()) {
+            step(done, undone);
+            go(Optional.empty());
         }
+    }
+
+    /** Takes the last step back. */
+    void undo() {
+        if (!done.isEmpty()) {
+            undone.push(Optional.ofNullable(isMoved() ? orbit : null));
+            go(done.pop());
+        }
+    }
+
+    /** Takes the step again that was taken back last. */
+    void redo() {
+        if (!undone.isEmpty()) {
+            done.push(Optional.ofNullable(isMoved() ? orbit : null));
+            go(undone.pop());
+        }
+    }
+
+    private void step(Deque<Optional<Orbit>> on, Deque<Optional<Orbit>> off) {
+        on.push(Optional.ofNullable(isMoved() ? orbit : null));
+        off.clear();
+    }
+
+    private void go(Optional<Orbit> to) {
+        aimed = false;
+        if (to.isEmpty()) {
+            drop();
+        } else {
+            show(to.get());
+        }
+        picture.restart();
+        listener.run();
     }
 
     /**
@@ -101,7 +185,16 @@ final class CameraTool extends MouseAdapter {
      * @return whether there were any
      */
     boolean forget() {
-        boolean moved = home != null;
+        done.clear();
+        undone.clear();
+        scene = null;
+        boolean moved = drop();
+        listener.run();
+        return moved;
+    }
+
+    private boolean drop() {
+        boolean moved = isMoved();
         if (moved) {
             picture.setRequest(with(home));
         }
@@ -151,16 +244,27 @@ final class CameraTool extends MouseAdapter {
             orbit = Orbit.of(FreeView.alone(now.settings()));
             aimed = now.settings().isFree();                  // such a camera says itself what it looks at
         }
-        if (!aimed && now != null) {
-            orbit = orbit.aimed(now.scene());
+        scene = now == null ? scene : now.scene();
+        if (!aimed && scene != null) {
+            orbit = orbit.aimed(scene);
             aimed = true;
         }
-        orbit = how.apply(orbit);
+        if (fresh) {
+            step(done, undone);
+            fresh = false;
+        }
+        Orbit moved = how.apply(orbit);
+        show(scene == null ? moved : moved.stopped(orbit, scene));
+        picture.restart();
+        listener.run();
+    }
+
+    private void show(Orbit other) {
+        orbit = other;
         if (home == null) {
             home = picture.request().settings();
         }
         picture.setRequest(with(orbit.settings()));
-        picture.restart();
     }
 
     /** {@return the request with the camera of other settings} */
@@ -188,14 +292,16 @@ final class CameraTool extends MouseAdapter {
         if (last == null || !dragging && now.distance(last) < DRAG) {
             return;
         }
+        fresh |= !dragging;
         dragging = true;
         int right = now.x - last.x;
         int down = now.y - last.y;
         if (panning) {
             double height = picture.placed().height() / picture.ui();
-            pan(-right / height, down / height);
+            slide(-right / height, down / height);
         } else {
-            turn(-right * TURN, down * TURN);
+            double degrees = TURN / Math.max(1, picture.place().intersection(picture.getVisibleRect()).width);
+            move(o -> o.turned(-right * degrees, down * degrees));
         }
         last = now;
         picture.setCursor(Cursor.getPredefinedCursor(panning ? Cursor.HAND_CURSOR : Cursor.MOVE_CURSOR));
@@ -210,9 +316,13 @@ final class CameraTool extends MouseAdapter {
 
     @Override
     public void mouseWheelMoved(MouseWheelEvent e) {
-        if (e.getModifiersEx() == 0) {
-            dolly(-e.getPreciseWheelRotation());
-        } else if (e.isShiftDown() && !e.isControlDown()) {   // the picture takes the wheel, and a large one is to be scrolled still
+        boolean plain = e.getModifiersEx() == 0;
+        if (plain && picture.wheelZooms()) {
+            return;                                           // it is the zoom's
+        }
+        if (plain && !picture.overflows()) {
+            dolly(-e.getPreciseWheelRotation(), e.getPoint());
+        } else if (plain || e.isShiftDown() && !e.isControlDown()) { // a large picture is scrolled still
             JScrollPane pane = (JScrollPane) SwingUtilities.getAncestorOfClass(JScrollPane.class, picture);
             pane.dispatchEvent(SwingUtilities.convertMouseEvent(picture, e, pane));
         }

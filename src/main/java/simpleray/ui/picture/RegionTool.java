@@ -80,7 +80,7 @@ public final class RegionTool extends MouseAdapter {
 
     /** Renders a region first, or alone; null to render the rest if that was left out. */
     void set(Region other) {
-        boolean rendersAnew = other != null || alone && region != null;
+        boolean rendersAnew = other != null && (alone || picture.whole() == null) || alone && region != null;   // a whole one has all
         region = other;
         picture.repaint();
         if (rendersAnew) {

@@ -9,6 +9,7 @@ import java.util.Locale;
 import java.util.function.Supplier;
 import javax.swing.Action;
 import javax.swing.ButtonGroup;
+import javax.swing.JCheckBoxMenuItem;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JMenu;
@@ -59,7 +60,10 @@ public final class ZoomTool {
         menu.add(actual);
         menu.add(fit);
         menu.add(action("Zoom In", () -> picture.zoom().in(picture.placed().scale()), IN));
+        JCheckBoxMenuItem wheel = new JCheckBoxMenuItem("Wheel Zooms");
+        wheel.addActionListener(e -> picture.setWheelZooms(wheel.isSelected()));
         menu.add(action("Zoom Out", () -> picture.zoom().out(picture.placed().scale()), OUT));
+        menu.add(wheel);
     }
 
     /**
@@ -101,7 +105,7 @@ public final class ZoomTool {
     }
 
     private void wheel(MouseWheelEvent e) {
-        if ((e.getModifiersEx() & InputEvent.CTRL_DOWN_MASK) == 0) {
+        if ((e.getModifiersEx() & InputEvent.CTRL_DOWN_MASK) == 0 && !(picture.wheelZooms() && e.getModifiersEx() == 0)) {
             return;
         }
         e.consume();

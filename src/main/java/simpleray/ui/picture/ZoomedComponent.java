@@ -19,6 +19,7 @@ abstract class ZoomedComponent extends DrawnComponent implements Scrollable {
     private static final long serialVersionUID = 1L;
     private static final int LINE = 16;
 
+    private boolean wheelZooms;
     private Dimension spare = new Dimension();
     private transient Zoom.Place held;                        // from the corner of what can be seen; null if it is where the zoom says
     private Dimension heldIn;                                 // the scroll pane's size meanwhile
@@ -131,6 +132,20 @@ abstract class ZoomedComponent extends DrawnComponent implements Scrollable {
     final int room() {
         return getParent() instanceof JViewport port ? (int) Math.round(Math.min(port.getWidth(),
             Math.max(1, port.getHeight() - spare.height)) * ui()) : 0;
+    }
+
+    /** {@return whether the picture is larger than what can be seen of it} */
+    final boolean overflows() {
+        return getParent() instanceof JViewport port && (getWidth() > port.getWidth() || getHeight() > port.getHeight());
+    }
+
+    /** {@return whether the wheel zooms without Ctrl, and moves no camera} */
+    final boolean wheelZooms() {
+        return wheelZooms;
+    }
+
+    final void setWheelZooms(boolean zooms) {
+        wheelZooms = zooms;
     }
 
     final Zoom zoom() {

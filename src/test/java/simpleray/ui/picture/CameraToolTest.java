@@ -4,10 +4,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.awt.Point;
+import java.awt.Rectangle;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.awt.image.BufferedImage;
 import java.nio.file.Path;
+import javax.swing.JButton;
 import javax.swing.JTree;
 import org.assertj.core.data.Offset;
 import org.junit.jupiter.api.AfterEach;
@@ -52,8 +54,8 @@ class CameraToolTest {
     }
 
     @Test
-    void draggingOrbitsRoundWhatTheMiddleShowsByHalfADegreeAPixel() {
-        drag(InputEvent.BUTTON1_DOWN_MASK, -60, 0);
+    void draggingOrbitsRoundWhatTheMiddleShowsByHalfATurnAcrossThePicture() {
+        drag(InputEvent.BUTTON1_DOWN_MASK, -WIDTH / 6, 0);
 
         assertPose(new Pose(1.5, 0, -1 + 3 * Math.cos(Math.PI / 6), 0, 0, -1, 90));
         assertThat(rendered()).isNotNull();
@@ -61,7 +63,7 @@ class CameraToolTest {
 
     @Test
     void draggingDownGoesUp() {
-        drag(InputEvent.BUTTON1_DOWN_MASK, 0, 60);
+        drag(InputEvent.BUTTON1_DOWN_MASK, 0, WIDTH / 6);
 
         assertPose(new Pose(0, 1.5, -1 + 3 * Math.cos(Math.PI / 6), 0, 0, -1, 90));
     }
@@ -81,8 +83,8 @@ class CameraToolTest {
         mouse.holding(KeyEvent.VK_SPACE, () -> drag(InputEvent.BUTTON1_DOWN_MASK, 20, -10));
         assertPose(new Pose(-2, -1, 2, -2, -1, -1, 90));
 
-        drag(InputEvent.BUTTON1_DOWN_MASK, -180, 0);
-        assertPose(new Pose(1, -1, -1, -2, -1, -1, 90));
+        drag(InputEvent.BUTTON1_DOWN_MASK, -WIDTH / 6, 0);
+        assertPose(new Pose(-0.5, -1, -1 + 3 * Math.cos(Math.PI / 6), -2, -1, -1, 90));
     }
 
     @Test
@@ -93,6 +95,71 @@ class CameraToolTest {
         mouse.wheel(1);
         mouse.wheel(1);
         assertPose(new Pose(0, 0, -1 + 3 / 0.9, 0, 0, -1, 90));
+    }
+
+    /** The pixel at 75 shows the wall 3 units to the right of the middle. */
+    @Test
+    void theWheelGoesNearerToWhatIsUnderTheMouse() {
+        mouse.move(at(new Point(75, 30)));
+        mouse.wheel(-1);
+
+        assertPose(new Pose(0.3, 0, -1 + 2.7, 0.3, 0, -1, 90));
+    }
+
+    @Test
+    void theWheelScrollsAPictureThatIsLargerThanItsPaneAndZoomsIfThatIsWanted() {
+        OpenWindow.run(() -> window.picture().setZoom(new Zoom(false, 16), null));
+        Screen.until("it is larger", () -> window.picture().overflows());
+        int before = OpenWindow.ask(() -> window.scroll().getViewport().getViewPosition().y);
+        Rectangle seen = OpenWindow.ask(() -> window.picture().getVisibleRect());
+        mouse.move(new Point(seen.x + seen.width / 2, seen.y + seen.height / 2));
+        mouse.wheel(1);
+        Screen.until("it is scrolled", () -> window.scroll().getViewport().getViewPosition().y > before);
+        assertThat(pose()).isNull();
+
+        OpenWindow.run(() -> window.item("Wheel Zooms").doClick(0));
+        mouse.wheel(1);
+        Screen.until("it is smaller", () -> window.picture().zoom().scale() < 16);
+        assertThat(pose()).isNull();
+    }
+
+    @Test
+    void theEyeStopsBeforeTheWall() {
+        drag(InputEvent.BUTTON1_DOWN_MASK, -WIDTH / 2 + 5, 0);
+        drag(InputEvent.BUTTON1_DOWN_MASK, -WIDTH / 3, 0);
+        Screen.until("it is moved", () -> pose() != null);
+        window.untilState(RenderJob.State.FINISHED);
+
+        assertThat(pose().ez()).isGreaterThan(-1);
+    }
+
+    @Test
+    void stepsAreTakenBackAndTakenAgainAndADragIsOne() {
+        drag(InputEvent.BUTTON1_DOWN_MASK, -WIDTH / 6, 0);
+        Pose dragged = new Pose(1.5, 0, -1 + 3 * Math.cos(Math.PI / 6), 0, 0, -1, 90);
+        assertPose(dragged);
+        window.screen.press(KeyEvent.VK_HOME);
+        Screen.until("it is back", () -> pose() == null);
+        window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_Z);
+        assertPose(dragged);
+        window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_Z);
+        Screen.until("it is back", () -> pose() == null);
+        window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_Z);
+        assertPose(dragged);
+        window.untilState(RenderJob.State.FINISHED);
+    }
+
+    @Test
+    void theLineAtTheFootTellsTheGesturesAndThenHowToGoBack() {
+        assertThat(window.label("gestures")).contains("Drag: orbit");
+        drag(InputEvent.BUTTON1_DOWN_MASK, -WIDTH / 6, 0);
+        Screen.until("it says so", () -> window.label("gestures").equals("Camera moved:"));
+        JButton home = OpenWindow.appears("the button", JButton.class, button -> "Home".equals(button.getText()));
+        window.screen.click(home);
+
+        Screen.until("it is back", () -> pose() == null && !home.isShowing());
+        assertThat(window.label("gestures")).isBlank();
+        window.untilState(RenderJob.State.FINISHED);
     }
 
     @Test
@@ -144,16 +211,16 @@ class CameraToolTest {
         window.untilState(RenderJob.State.FINISHED);
     }
 
-    /** The thirty moves come faster than pictures; the last is the one that stays. */
+    /** The moves come faster than pictures; the last is the one that stays. */
     @Test
     void theLastOfManyMovesIsRenderedToItsEnd() {
         OpenWindow.run(() -> {
-            for (int i = 0; i < 30; i++) {
+            for (int i = 0; i < 16; i++) {
                 window.item("Orbit Right").doClick(0);
             }
         });
 
-        double r = Math.toRadians(150);
+        double r = Math.toRadians(80);
         Screen.until("the last move is rendered", () -> window.picture().request().settings().camera != null
             && Math.abs(window.picture().request().settings().camera.ez() - (-1 + 3 * Math.cos(r))) < 1e-9);
         assertThat(rendered()).isNotNull();
