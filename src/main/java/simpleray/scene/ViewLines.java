@@ -19,8 +19,8 @@ import simpleray.text.SourceSpan;
  * bytes of the file stay as they are. <em>Mutable</em>, for one thread.
  */
 public final class ViewLines {
-    /** The words of a key of the camera: key, the frame, camera and its numbers. */
-    private static final int KEY_WORDS = 3 + Key.Kind.CAMERA.channels;
+    /** The words of a key of the camera behind the first: the frame, camera and its numbers. */
+    private static final int KEY_WORDS = 2 + Key.Kind.CAMERA.channels;
 
     private final byte[] bytes;
     private final List<Edit> edits = new ArrayList<>();
@@ -126,8 +126,8 @@ public final class ViewLines {
         int end = -1;                                         // of the last one before it
         for (int i : cameraKeys(old)) {
             double at = old.keys.get(i).frame();
-            int start = lineStart(old.keyLines.get(i));
-            List<SourceSpan> words = new SourceSpan(start, bytes.length).words(bytes).subList(0, KEY_WORDS);
+            int start = startOfLine(old.keyLines.get(i));
+            List<SourceSpan> words = keyWords(start);
             if (at == frame) {
                 renumber(words.subList(KEY_WORDS - Key.Kind.CAMERA.channels, KEY_WORDS), camera.split(" "));
                 return;
@@ -142,8 +142,17 @@ public final class ViewLines {
         }
     }
 
+    /** {@return the words of a camera's key, without the first, which would begin a heading} */
+    private List<SourceSpan> keyWords(int line) throws IOException {
+        int key = line;
+        while (isBlank(key)) {
+            key++;
+        }
+        return new SourceSpan(key + Setting.KEY.keyword().length(), bytes.length).words(bytes).subList(0, KEY_WORDS);
+    }
+
     /** {@return the index at which a line begins; lines are counted from 1} */
-    private int lineStart(long number) {
+    private int startOfLine(long number) {
         int start = 0;
         for (long line = 1; line < number; line++) {
             while (!isBreak(start)) {

@@ -105,14 +105,14 @@ class SceneAnewTest {
         view.cop = 3.0;
         view.window = new Window(-1, 1, -2, 2);
 
-        assertThat(put(BARE + "\ncop 5\nwindow -1 1 -1 1\n", view)).isEqualTo(BARE + "\ncop 3.0\nwindow -1 1 -2.0 2.0\n");
+        assertThat(put(BARE + "\ncop 5\nwindow -1 1 -1 1\n", view)).isEqualTo(BARE + "\ncop 3\nwindow -1 1 -2 2\n");
     }
 
     @Test
     void aLineOfWhichOnlyBlanksWouldBeLeftGoesWithThem() throws IOException {
         SceneSettings view = new SceneSettings();
         view.camera = new Pose(1, 2, 3, 0, 0, 0, 40);
-        String line = "camera 1.0 2.0 3.0 0.0 0.0 0.0 40.0";
+        String line = "camera 1 2 3 0 0 0 40";
 
         assertThat(put(BARE + "\nwindow -1 1 -1 1\ncop 3 \t\nsamples 2\n", view)).isEqualTo(BARE + "\n" + line + "\nsamples 2\n");
         assertThat(put(BARE + "\nwindow -1 1 -1 1\n  cop 3  ", view)).isEqualTo(BARE + "\n" + line + "\n");

@@ -39,11 +39,11 @@ class ViewLinesTest {
     void aParallelCameraAndUpTakeThePlaceOfACameraAndStayThemselves() throws IOException {
         SceneSettings view = SceneSettings.of("parallel 1 2 3 4 5 6 7\nup 0 0 1\n", "a");
 
-        assertThat(ViewLines.of(view)).isEqualTo("parallel 1.0 2.0 3.0 4.0 5.0 6.0 7.0\nup 0.0 0.0 1.0\n");
+        assertThat(ViewLines.of(view)).isEqualTo("parallel 1 2 3 4 5 6 7\nup 0 0 1\n");
         assertThat(put(SCENE + "\ncamera 0 0 1 0 0 0 40 # far\n", view))
-            .isEqualTo(SCENE + "\nparallel 1.0 2.0 3.0 4.0 5.0 6.0 7.0 # far\nup 0.0 0.0 1.0\n");
+            .isEqualTo(SCENE + "\nparallel 1 2 3 4 5 6 7 # far\nup 0 0 1\n");
         assertThat(put(SCENE + "\nup 0 0 2\nparallel 1 2 3 4 5 6 8 # near\n", view))
-            .isEqualTo(SCENE + "\nup 0 0 1.0\nparallel 1 2 3 4 5 6 7.0 # near\n");
+            .isEqualTo(SCENE + "\nup 0 0 1\nparallel 1 2 3 4 5 6 7 # near\n");
         assertThat(put(SCENE + "\nup 0 0 2\nparallel 1 2 3 4 5 6 8\n# near\n")).isEqualTo(SCENE + '\n' + LINE + "\n# near\n");
     }
 
@@ -208,7 +208,7 @@ class ViewLinesTest {
         String film = SCENE + "\r\nframes 20 25\r\nkey 4 light 1 0 0 0\r\nkey  4 camera 1 2.5 3.00  0 0 0  50 # c\r\n";
         film = film.replace("0 # objects", "0").replace("\n0\r", "\n1 0 1 1 1 2 2 2\r");
 
-        assertThat(putKey(film, 4)).isEqualTo(film.replace("0 0 0  50 #", "0 0 -1.0  40.0 #"));
+        assertThat(putKey(film, 4)).isEqualTo(film.replace("0 0 0  50 #", "0 0 -1  40 #"));
     }
 
     @Test
