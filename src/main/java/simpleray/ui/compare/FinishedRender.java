@@ -12,6 +12,7 @@ import simpleray.render.Progress;
 import simpleray.render.RenderRequest;
 import simpleray.ui.file.SceneSource;
 import simpleray.ui.picture.CommandWords;
+import simpleray.ui.widget.Chequers;
 
 /**
  * A finished picture with its request and its time. <em>Constant</em>, except that the garbage collector takes the pixels when memory is
@@ -19,7 +20,7 @@ import simpleray.ui.picture.CommandWords;
  */
 final class FinishedRender {
     private static final DateTimeFormatter CLOCK = DateTimeFormatter.ofPattern("HH:mm:ss");
-    private static final int LEVEL = 0xFF;
+    private static final int LEVELS = 0xFFFFFF;
 
     private final SceneSource source;
     private final RenderRequest request;
@@ -45,12 +46,14 @@ final class FinishedRender {
         int[] packed = new int[Math.multiplyExact(width, height)];
         for (int y = 0; y < height; y++) {
             double[] light = picture.row(y);
-            byte[] levels = picture.levels(y);
+            int[] argb = Picture.packed(picture.levels(y), picture.channels());
             for (int x = 0; x < width; x++) {
-                int i = 3 * x;
-                histogram.add(light[i], light[i + 1], light[i + 2]);
-                packed[y * width + x] = Clipped.flags(light[i], light[i + 1], light[i + 2])
-                    | (levels[i] & LEVEL) << 16 | (levels[i + 1] & LEVEL) << 8 | levels[i + 2] & LEVEL;
+                int i = picture.channels() * x;
+                if (!picture.hasAlpha() || light[i + Picture.RGB] > 0) {
+                    histogram.add(light[i], light[i + 1], light[i + 2]);
+                }
+                int rgb = picture.hasAlpha() ? Chequers.over(argb[x], x, y) : argb[x] & LEVELS;
+                packed[y * width + x] = Clipped.flags(light[i], light[i + 1], light[i + 2]) | rgb;
             }
         }
         return packed;

@@ -17,9 +17,9 @@ import simpleray.text.NumberParser;
 final class SceneTokens extends TokenMakerBase {
     /** The keywords of materials, beside those of settings. */
     private static final Set<String> OF_MATERIAL = Set.of("mirror", "transmit", "mtl");
-    /** The words behind the keywords of a film; a line that begins with one is a heading. */
-    private static final Set<String> OF_FILM =
-        Stream.concat(Arrays.stream(Key.Kind.values()), Arrays.stream(Curve.values())).map(Enum::toString).collect(Collectors.toSet());
+    /** The words behind other keywords; a line that begins with one is a heading. */
+    private static final Set<String> BEHIND = Stream.concat(Stream.of(Setting.NONE),
+        Stream.concat(Arrays.stream(Key.Kind.values()), Arrays.stream(Curve.values())).map(Enum::toString)).collect(Collectors.toSet());
     private static final char COMMENT = '#';
     private static final char QUOTE = '"';
 
@@ -45,7 +45,7 @@ final class SceneTokens extends TokenMakerBase {
             } else {
                 at = wordEnd(line, at, end);
                 String word = new String(line.array, from, at - from);
-                type = !first && OF_FILM.contains(word) ? TokenTypes.RESERVED_WORD : type(word);
+                type = !first && BEHIND.contains(word) ? TokenTypes.RESERVED_WORD : type(word);
                 if (first && type == TokenTypes.ERROR_IDENTIFIER && isHeading(word)) {
                     at = end;
                     type = TokenTypes.COMMENT_DOCUMENTATION;

@@ -26,6 +26,7 @@ import javax.swing.JSplitPane;
 import javax.swing.SwingUtilities;
 import javax.swing.tree.DefaultMutableTreeNode;
 import simpleray.rays.RaySegment;
+import simpleray.image.Picture;
 import simpleray.render.Explainer;
 import simpleray.render.PixelStory;
 import simpleray.render.Progress;
@@ -437,9 +438,11 @@ public final class Inspector {
                 tellLine(wanted);
             }
         } else {
-            String colours = PixelLine.colours(shown.snapshot().picture(), pixel, picture);
+            Picture light = shown.snapshot().picture();
+            String colours = PixelLine.colours(light, pixel, picture);
+            String nothing = light != null && light.hasAlpha() ? "no object" : "background";
             pointed.accept(hovered == null || thing == null ? 0 : thing.number());
-            hoverLine.accept(colours == null ? " " : colours + "   " + (thing == null ? "background" : StoryText.object(thing)));
+            hoverLine.accept(colours == null ? " " : colours + "   " + (thing == null ? nothing : StoryText.object(thing)));
         }
     }
 

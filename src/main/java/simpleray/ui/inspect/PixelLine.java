@@ -28,16 +28,23 @@ final class PixelLine {
         if (row == null) {
             return text + "   " + (shown.has(pixel) ? painted(shown.blockAt(pixel), shown.levelsAt(pixel)) : "not rendered yet");
         }
-        Colour colour = new Colour(row[3 * pixel.x], row[3 * pixel.x + 1], row[3 * pixel.x + 2]);
-        return text + "   linear " + StoryText.colour(colour) + "   8-bit " + StoryText.levels(colour);
+        int at = light.channels() * pixel.x;
+        if (light.hasAlpha() && row[at + Picture.RGB] == 0) {
+            return text + "   transparent";
+        }
+        Colour colour = new Colour(row[at], row[at + 1], row[at + 2]);
+        return text + "   linear " + StoryText.colour(colour) + "   8-bit " + StoryText.levels(colour)
+            + (light.hasAlpha() ? "   alpha " + Picture.level(row[at + Picture.RGB]) : "");
     }
 
     /** {@return what is known of a pixel whose row is not whole: what one sees} */
-    static String painted(int block, int rgb) {
+    static String painted(int block, int argb) {
         if (block <= 0) {
             return block == 0 ? "failed" : "not rendered yet";
         }
-        String levels = "8-bit " + (rgb >> 16 & LEVEL) + ' ' + (rgb >> 8 & LEVEL) + ' ' + (rgb & LEVEL);
+        int alpha = argb >>> 24;
+        String levels = alpha == 0 ? "transparent" : "8-bit " + (argb >> 16 & LEVEL) + ' ' + (argb >> 8 & LEVEL) + ' ' + (argb & LEVEL)
+            + (alpha < LEVEL ? "   alpha " + alpha : "");
         return block == 1 ? levels : levels + " of a block of " + block + " \u00D7 " + block + ", not rendered itself yet";
     }
 }

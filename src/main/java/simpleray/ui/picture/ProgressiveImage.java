@@ -24,8 +24,11 @@ final class ProgressiveImage {
     private final byte[] sizes;                               // of the block that each pixel belongs to
     private final int width;
     private final int height;
+    private final boolean alpha;
 
-    ProgressiveImage(int width, int height) {
+    /** Makes an empty image of a picture that has alpha or has none. */
+    ProgressiveImage(int width, int height, boolean alpha) {
+        this.alpha = alpha;
         this.width = width;
         this.height = height;
         image = new BufferedImage(width, height, BufferedImage.TYPE_INT_ARGB);
@@ -36,6 +39,11 @@ final class ProgressiveImage {
 
     BufferedImage image() {
         return image;
+    }
+
+    /** {@return whether pixels that are painted may be transparent} */
+    boolean hasAlpha() {
+        return alpha;
     }
 
     boolean isOf(int otherWidth, int otherHeight) {
@@ -56,13 +64,13 @@ final class ProgressiveImage {
     }
 
     /** Paints the blocks of a run, each in its colour, and adds their place to the rectangle that has changed. */
-    void paint(PixelRun run, int[] rgb, Rectangle changed) {
+    void paint(PixelRun run, int[] argb, Rectangle changed) {
         int bottom = Math.min(height, run.y() + run.size());
         int right = width;
         for (int y = run.y(); y < bottom; y++) {
             int row = y * width;
             int x = run.x();
-            for (int colour : rgb) {
+            for (int colour : argb) {
                 right = Math.min(width, x + run.size());
                 for (int i = row + x; i < row + right; i++) {
                     if (sizes[i] >= run.size()) {

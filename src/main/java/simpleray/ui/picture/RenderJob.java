@@ -384,8 +384,8 @@ public final class RenderJob {
         Region part = region != null && region.isWithin(picture.width(), picture.height()) ? region : null;   // not that of a larger one
         boolean only = alone && part != null;
         Progress progress = new Progress(only ? part.height() : picture.height(), System.nanoTime());
-        Run run = new Run(renderer, new ProgressiveImage(picture.width(), picture.height()), progress, sized, settings, part,
-            only, System.nanoTime());
+        ProgressiveImage image = new ProgressiveImage(picture.width(), picture.height(), picture.hasAlpha());
+        Run run = new Run(renderer, image, progress, sized, settings, part, only, System.nanoTime());
         synchronized (this) {
             latest.updateAndGet(now -> new Snapshot(State.RENDERING, scene, run, now.findings, "", 0));
             pause(run);

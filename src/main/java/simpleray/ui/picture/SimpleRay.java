@@ -20,6 +20,7 @@ import simpleray.render.RenderRequest;
 import simpleray.scene.SceneSettings.Resolution;
 import simpleray.scene.Setting;
 import simpleray.ui.file.SceneSource;
+import simpleray.ui.widget.Chequers;
 
 /**
  * The framework for the ray tracing (thesis, chapter 5), a Swing component in place of the applet: it renders on a thread of its own,
@@ -90,7 +91,7 @@ public final class SimpleRay extends ZoomedComponent implements Runnable {
     /** Makes an empty picture, of the size that was asked for until the scene's file says another. */
     public void init() {
         Resolution size = Setting.RESOLUTION.in(request.settings());
-        show(new ProgressiveImage(size.width(), size.height()));
+        show(new ProgressiveImage(size.width(), size.height(), false));
     }
 
     private void show(ProgressiveImage next) {
@@ -290,6 +291,9 @@ public final class SimpleRay extends ZoomedComponent implements Runnable {
         screen.fillRect(0, 0, getWidth(), getHeight());
         Rectangle place = place();
         if (!place.isEmpty()) {
+            if (progressive.hasAlpha()) {
+                Chequers.paint(screen, place);
+            }
             placed().paint(screen, played == null ? image : played, ui());
             if (marks != null && played == null) {
                 placed().paint(screen, marks, ui());
@@ -490,7 +494,7 @@ public final class SimpleRay extends ZoomedComponent implements Runnable {
         return played == null ? whole : null;
     }
 
-    /** {@return the image that is shown; pixels that were not painted are transparent} Not to be changed. */
+    /** {@return the image that is shown; pixels that were not painted are transparent, and so may others be} Not to be changed. */
     BufferedImage painted() {
         return image;
     }

@@ -71,6 +71,18 @@ class HistogramTest {
         assertThat(finished.options()).isEqualTo(" --size 2x2");
     }
 
+    /** On the chequered ground of 153, the half transparent red is (0.5 · 255 + 0.5 · 153, 0.5 · 153, …); alpha has 128 levels. */
+    @Test
+    void aTransparentPictureIsPutOnAChequeredGroundAndCountedWhereItIsNot() {
+        Picture picture = new Picture(2, 2, Picture.RGBA);
+        picture.setRow(0, new double[] {1, 0, 0, 0.5, 0, 0, 0, 0});
+        picture.setRow(1, new double[] {0.2, 0.2, 0.2, 1, 0, 0, 0, 0});
+        FinishedRender finished = new FinishedRender(picture, SceneSource.NONE, OpenWindow.request(2, 2), 1, LocalTime.of(9, 5, 7));
+
+        assertThat(levels(Clipped.image(finished.pixels(), 2, 2))).containsExactly(0xCC4C4C, 0x999999, 0x333333, 0x999999);
+        assertThat(finished.histogram().pixels()).isEqualTo(2);
+    }
+
     private static int[] levels(BufferedImage image) {
         return IntStream.of(image.getRGB(0, 0, 2, 2, null, 0, 2)).map(rgb -> rgb & 0xFFFFFF).toArray();
     }

@@ -41,13 +41,14 @@ class SceneTokensTest {
     }
 
     @Test
-    void theWordsBehindTheKeywordsOfAFilmAreMarkedThereAlone() {
+    void theWordsBehindKeywordsAreMarkedThereAlone() {
         assertThat(tokens("key 1 object 2 0 0 1")).startsWith("keyword key", "number 1", "keyword object", "number 2");
         assertThat(tokens("key 1 light 2")).contains("keyword light");
         assertThat(tokens("key 1 colour 2")).contains("keyword colour");
         assertThat(tokens("key 1 camera 2")).contains("keyword camera");
         assertThat(tokens("curve linear")).containsExactly("keyword curve", "keyword linear");
         assertThat(tokens("curve smooth")).containsExactly("keyword curve", "keyword smooth");
+        assertThat(tokens("background none")).containsExactly("keyword background", "keyword none");
         assertThat(tokens("curve curly")).containsExactly("keyword curve", "bad curly");
         assertThat(tokens("object 1 is red")).containsExactly("heading object 1 is red");
     }

@@ -21,6 +21,7 @@ import java.util.stream.Collectors;
 import javax.swing.JButton;
 import javax.swing.JTree;
 import org.junit.jupiter.api.Test;
+import simpleray.image.Picture;
 import simpleray.math.Colour;
 import simpleray.render.Explainer;
 import simpleray.render.PixelStory;
@@ -55,6 +56,8 @@ class InspectorTest {
         assertThat(PixelLine.painted(-1, 0)).isEqualTo("not rendered yet");
         assertThat(PixelLine.painted(0, 0xFFE04040)).isEqualTo("failed");
         assertThat(PixelLine.painted(1, 0xFF010203)).isEqualTo("8-bit 1 2 3");
+        assertThat(PixelLine.painted(1, 0x80010203)).isEqualTo("8-bit 1 2 3   alpha 128");
+        assertThat(PixelLine.painted(1, 0)).isEqualTo("transparent");
         assertThat(PixelLine.painted(4, 0xFF010203)).isEqualTo("8-bit 1 2 3 of a block of 4 × 4, not rendered itself yet");
     }
 
@@ -134,6 +137,16 @@ class InspectorTest {
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }
+    }
+
+    @Test
+    void alphaIsToldOfAPictureThatHasIt() {
+        Picture picture = new Picture(2, 1, Picture.RGBA);
+        picture.setRow(0, new double[] {1, 0.5, 0, 0.75, 0, 0, 0, 0});
+
+        assertThat(PixelLine.colours(picture, new Point(0, 0), null)).isEqualTo("x 0, y 0   linear 1 0.5 0   8-bit 255 128 0   alpha 191");
+        assertThat(PixelLine.colours(picture, new Point(1, 0), null)).isEqualTo("x 1, y 0   transparent");
+        assertThat(PixelLine.colours(picture, new Point(2, 0), null)).isNull();
     }
 
     @Test

@@ -13,7 +13,7 @@ class ProgressiveImageTest {
     private static final int GREEN = 0xFF00FF00;
     private static final int BLUE = 0xFF0000FF;
 
-    private final ProgressiveImage shown = new ProgressiveImage(10, 6);
+    private final ProgressiveImage shown = new ProgressiveImage(10, 6, false);
     private final Rectangle changed = new Rectangle(0, 0, -1, -1);
 
     private void paint(int y, int x, int step, int size, int... rgb) {

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.awt.Dimension;
 import java.awt.Graphics;
 import java.awt.image.BufferedImage;
+import java.nio.charset.StandardCharsets;
 import java.util.function.Consumer;
 import javax.swing.JFrame;
 import org.junit.jupiter.api.AfterEach;
@@ -99,6 +100,23 @@ class SimpleRayTest {
 
         assertThat(Screen.shows(painted(ray::paint), 0, 0, whole, 0, SIDE)).isTrue();
         assertThat(Screen.shows(painted(ray::update), 0, 0, whole, 0, SIDE)).isTrue();
+    }
+
+    /** A ball of its ambient light alone, which the corners miss; the ground's squares have sides of 8. */
+    @Test
+    void transparentPartsShowAChequeredGround() {
+        show(SceneSource.text("1 0 0 0 0 1  1 0 0  0 0 0  0 0 0 1  1 1 1  0\nbackground none".getBytes(StandardCharsets.UTF_8)));
+        OpenWindow.run(ray::init);
+        OpenWindow.run(ray::start);
+        Screen.until("the picture is whole", () -> ray.whole() != null);
+
+        BufferedImage painted = painted(ray::paint);
+
+        assertThat(ray.whole().hasAlpha()).isTrue();
+        assertThat(painted.getRGB(0, 0)).isEqualTo(0xFF999999);
+        assertThat(painted.getRGB(8, 0)).isEqualTo(0xFF666666);
+        assertThat(painted.getRGB(8, 8)).isEqualTo(0xFF999999);
+        assertThat(painted.getRGB(SIDE / 2, SIDE / 2)).isEqualTo(0xFFFF0000);
     }
 
     private void show(SceneSource source) {
