@@ -16,7 +16,7 @@ final class PictureComparison {
     static final double SHARE = 0.002;
     /** What the differences are multiplied by in the picture of them. */
     private static final int MAGNIFIED = 16;
-    private static final int[] SHIFTS = {16, 8, 0};
+    private static final int[] SHIFTS = {24, 16, 8, 0};            // of alpha, red, green and blue
 
     private final BufferedImage difference;
     private final int differing;

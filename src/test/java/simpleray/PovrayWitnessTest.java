@@ -78,7 +78,7 @@ class PovrayWitnessTest {
         Picture ours = new RenderRequest(asked, Stage.FINAL, false, Runtime.getRuntime().availableProcessors())
             .renderer(scene).render(RenderListener.NONE);
 
-        Raster[] theirs = povray(file, asked.depth);
+        Raster[] theirs = povray(file, asked.depth, ours.hasAlpha());
 
         int different = 0;
         int worst = 0;
@@ -86,10 +86,10 @@ class PovrayWitnessTest {
         for (int y = 0; y < SIZE; y++) {
             for (int x = 0; x < SIZE; x++) {
                 int most = 0;
-                for (int band = 0; band < 3; band++) {
-                    int our = Picture.level(ours.row(y)[3 * x + band]);
-                    int their = theirs[band].getSample(x, y, 0);
-                    int shift = 8 * (2 - band);
+                for (int band = 0; band < ours.channels(); band++) {
+                    int our = Picture.level(ours.row(y)[ours.channels() * x + band]);
+                    int their = band < 3 ? theirs[band].getSample(x, y, 0) : theirs[0].getSample(x, y, band);
+                    int shift = 8 * (2 - band & 3);           // of alpha 24, which is not shown
                     int[] shown = {our, their, Math.min(255, 20 * Math.abs(our - their))};
                     for (int i = 0; i < shown.length; i++) {
                         difference.setRGB(x + i * SIZE, y, difference.getRGB(x + i * SIZE, y) | shown[i] << shift);
@@ -124,8 +124,8 @@ class PovrayWitnessTest {
         return depth;
     }
 
-    /** {@return POV-Ray's grey pictures of red, green and blue} */
-    private Raster[] povray(Path file, int depth) throws IOException, InterruptedException {
+    /** {@return POV-Ray's grey pictures of red, green and blue, each with alpha if asked for} */
+    private Raster[] povray(Path file, int depth, boolean alpha) throws IOException, InterruptedException {
         List<Process> running = new ArrayList<>();
         for (String channel : List.of("r", "g", "b")) {
             Path exported = folder.resolve(channel + ".pov");
@@ -137,7 +137,7 @@ class PovrayWitnessTest {
             assertThat(messages.toString(StandardCharsets.UTF_8).lines().filter(line -> line.contains("POV-Ray")))
                 .allMatch(line -> line.contains(", maybe: "));
             running.add(new ProcessBuilder("povray", "+I" + channel + ".pov", "+O" + channel + ".png", "+W" + SIZE, "+H" + SIZE, "-A",
-                "-D", "-V", "-GA", "+WT1", "+FN8", "File_Gamma=1.0").directory(folder.toFile()).redirectErrorStream(true)
+                "-D", "-V", "-GA", "+WT1", "+FN8", "File_Gamma=1.0", alpha ? "+UA" : "-UA").directory(folder.toFile()).redirectErrorStream(true)
                 .redirectOutput(folder.resolve(channel + ".log").toFile()).start());
         }
         Raster[] pictures = new Raster[running.size()];

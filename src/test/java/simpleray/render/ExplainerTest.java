@@ -244,7 +244,8 @@ class ExplainerTest {
 
     private static Colour pixel(Picture picture, int x, int y) {
         double[] row = picture.row(y);
-        return new Colour(row[3 * x], row[3 * x + 1], row[3 * x + 2]);
+        int at = picture.channels() * x;
+        return new Colour(row[at], row[at + 1], row[at + 2]);
     }
 
     private static Explainer explainer(Scene scene, int side, Stage stage, int depth) {
