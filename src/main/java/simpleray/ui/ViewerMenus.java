@@ -129,7 +129,9 @@ final class ViewerMenus {
     private void addStage(JMenu menu, ButtonGroup one, Stage stage, String name, String key) {
         JRadioButtonMenuItem item = new JRadioButtonMenuItem(KeyBindings.action(name, key, () -> {
             picture.setRequest(picture.request().with(stage));
-            picture.reload();
+            if (picture.job() != null) {
+                picture.showOrRestart();
+            }
         }));
         one.add(item);
         item.setSelected(picture.request().stage() == stage);

@@ -175,7 +175,7 @@ final class CameraTool extends MouseAdapter {
         } else {
             show(to.get());
         }
-        picture.restart();
+        picture.showOrRestart();
         listener.run();
     }
 

@@ -39,7 +39,7 @@ public final class RenderJob {
     private final Region region;                              // what is asked to come first; null for nothing
     private final boolean alone;
     private int asked;                                        // the frame, if the scene is a film; not changed after the start
-    private final PixelRunQueue runs = new PixelRunQueue();
+    private final PixelRunQueue runs;
     private final Thread thread;
     private int room;
 
@@ -101,6 +101,12 @@ public final class RenderJob {
         /** {@return whether the scene is there, so that it can be rendered again} */
         boolean hasScene() {
             return loaded != null;
+        }
+
+        /** {@return whether this is a rendering of the scene that the other one has, as it was read then} */
+        @SuppressWarnings("ReferenceEquality")                // the very scene: another may have been read from the file since
+        boolean isOfSceneOf(Snapshot other) {
+            return loaded == other.loaded;
         }
 
         /** {@return the scene, not to be changed; null until it is read} */
@@ -182,7 +188,7 @@ public final class RenderJob {
 
     /** Reads a scene and renders it. */
     RenderJob(SceneSource source, RenderRequest request, Region region, boolean alone) {
-        this(source, request, null, SceneReport.NONE, region, alone);
+        this(source, request, null, SceneReport.NONE, region, alone, new PixelRunQueue());
     }
 
     /**
@@ -192,10 +198,24 @@ public final class RenderJob {
      * @param known what is wrong with a scene that was to be read since, and is to be shown all the same; nothing for the other's own
      */
     RenderJob(RenderJob before, SceneReport known, RenderRequest request, Region region, boolean alone) {
-        this(before.source, request, before, known, region, alone);
+        this(before.source, request, before, known, region, alone, new PixelRunQueue());
     }
 
-    private RenderJob(SceneSource source, RenderRequest request, RenderJob before, SceneReport known, Region region, boolean alone) {
+    /**
+     * Has what another rendering of the same scene has finished: it is shown again.
+     *
+     * @param before the last rendering of the scene, which is cancelled
+     * @param finished the other
+     * @param whole how that ended
+     */
+    RenderJob(RenderJob before, RenderRequest request, RenderJob finished, Snapshot whole) {
+        this(before.source, request, before, SceneReport.NONE, null, false, finished.runs);
+        latest.set(whole);
+    }
+
+    private RenderJob(SceneSource source, RenderRequest request, RenderJob before, SceneReport known, Region region, boolean alone,
+                      PixelRunQueue runs) {
+        this.runs = runs;
         this.source = source;
         this.request = request;
         this.before = before;
@@ -317,6 +337,12 @@ public final class RenderJob {
     }
 
     private void work() {
+        if (state() == State.FINISHED) {
+            await(before);                                    // the next one waits for this one
+            before = null;
+            checked = true;
+            return;
+        }
         try {
             LoadedScene loaded = load();
             render(loaded);
@@ -343,6 +369,16 @@ public final class RenderJob {
         latest.updateAndGet(now -> new Snapshot(state, now.loaded, now.run, findings, failure, took));
     }
 
+    /** Waits until a rendering has ended, which it is told to. */
+    private static void await(RenderJob last) {
+        last.cancel();
+        try {
+            last.thread.join();
+        } catch (InterruptedException e) {
+            throw new CancellationException("interrupted");
+        }
+    }
+
     /** Reads the scene; or takes that of the rendering before, when that has ended. */
     private LoadedScene load() throws IOException {
         RenderJob last = before;
@@ -352,12 +388,7 @@ public final class RenderJob {
             latest.set(new Snapshot(State.READING, loaded, null, SceneReport.of(loaded.file.warnings()), "", 0));
             return loaded;
         }
-        last.cancel();
-        try {
-            last.thread.join();
-        } catch (InterruptedException e) {
-            throw new CancellationException("interrupted");
-        }
+        await(last);
         Snapshot end = last.snapshot();
         checked = last.checked || !known.isEmpty() || !end.failure.isEmpty();
         LoadedScene loaded = end.loaded.at(asked);
@@ -367,6 +398,11 @@ public final class RenderJob {
 
     /** {@return what was asked for; with the size of the room, if neither that nor the scene says one} */
     private RenderRequest sized(Scene scene) {
+        return sized(request, scene, room);
+    }
+
+    /** {@return a request with the size of a room, if neither the request nor the scene says one} */
+    static RenderRequest sized(RenderRequest request, Scene scene, int room) {
         if (room <= 0 || Setting.RESOLUTION.isSet(request.settings()) || Setting.RESOLUTION.isSet(scene.settings)) {
             return request;
         }

@@ -10,6 +10,11 @@ import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
 import java.awt.event.MouseEvent;
 import java.awt.image.BufferedImage;
+import java.lang.ref.SoftReference;
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.Iterator;
+import java.util.List;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
 import javax.swing.SwingUtilities;
@@ -35,9 +40,11 @@ public final class SimpleRay extends ZoomedComponent implements Runnable {
     private static final long HOLD = 120_000_000;
     /** The longest that a new request waits until the picture before is shown, in nanoseconds. */
     private static final long MAX_WAIT = 250_000_000;
+    /** The most finished pictures that can be shown again. */
+    private static final int MAX_FINISHED = 8;
     /** Milliseconds without another change after which a window has its new size. */
     private static final int SETTLED = 250;
-    /** The share of the memory that a picture may take whose size is the window's. */
+    /** The share of the memory that a picture may take whose size is the window's, and that finished ones may. */
     private static final int SHARE = 8;
     private static final Color SURROUND = new Color(0x3C3F41);
 
@@ -50,6 +57,7 @@ public final class SimpleRay extends ZoomedComponent implements Runnable {
     private transient ProgressiveImage progressive;           // touched by the event thread alone
     private transient BufferedImage image;                    // the progressive one's
     private transient RenderJob job;
+    private final transient Deque<Finished> finished = new ArrayDeque<>();   // the latest first
     private transient RenderJob read;                         // the last one that has read the scene
     private transient boolean again;                          // another one is to follow as soon as this one is shown
     private transient boolean kept;                           // the old image stays until this one's runs come over it
@@ -64,6 +72,10 @@ public final class SimpleRay extends ZoomedComponent implements Runnable {
     private transient Runnable listener = () -> { };
     private transient Consumer<Graphics2D> mark = canvas -> { };
     private transient Predicate<MouseEvent> grip = press -> false;
+
+    /** A finished picture, which can be shown again unless the garbage collector has taken it. */
+    private record Finished(RenderJob job, List<String> options, SoftReference<RenderJob.Snapshot> snapshot) {
+    }
 
     /**
      * Creates the component; {@link #init} and {@link #start} follow.
@@ -130,6 +142,49 @@ public final class SimpleRay extends ZoomedComponent implements Runnable {
         }
     }
 
+    /** Shows a picture of the scene as it is asked for now: one that was finished before, or else renders it. */
+    public void showOrRestart() {
+        RenderJob last = job == null || regions.region() != null && regions.isAlone() ? null : lastRead();
+        if (last != null) {
+            List<String> asked = CommandWords.options(RenderJob.sized(request, last.snapshot().scene(), side()));
+            for (Finished picture : finished) {
+                RenderJob.Snapshot whole = picture.snapshot.get();
+                if (whole != null && whole.isOfSceneOf(last.snapshot()) && picture.options.equals(asked)) {
+                    showAgain(new RenderJob(last, request, picture.job, whole), whole);
+                    return;
+                }
+            }
+        }
+        restart();
+    }
+
+    private void showAgain(RenderJob next, RenderJob.Snapshot now) {
+        follow(next);
+        kicker.stop();
+        show(now.image());
+        see();
+        whole = now.picture();
+        listener.run();
+    }
+
+    private void keep(RenderJob.Snapshot now) {
+        List<String> options = CommandWords.options(now.request());
+        finished.removeIf(picture -> {
+            RenderJob.Snapshot other = picture.snapshot.get();
+            return other == null || picture.options.equals(options) && other.isOfSceneOf(now);
+        });
+        finished.addFirst(new Finished(job, options, new SoftReference<>(now)));
+        long room = Runtime.getRuntime().maxMemory() / SHARE;
+        int number = 0;
+        for (Iterator<Finished> all = finished.iterator(); all.hasNext(); number++) {
+            RenderJob.Snapshot one = all.next().snapshot.get();
+            room -= one == null ? 0 : Picture.bytesNeeded(one.picture().width(), one.picture().height());
+            if (number == MAX_FINISHED || room < 0) {
+                all.remove();
+            }
+        }
+    }
+
     @SuppressWarnings("ReferenceEquality")                    // the very request, not one like it
     private void restartIfReady() {
         RenderJob.Snapshot now = job.snapshot();
@@ -182,8 +237,16 @@ public final class SimpleRay extends ZoomedComponent implements Runnable {
     }
 
     private void begin(RenderJob next, boolean keep) {
-        stop();
         next.setRoom(side());
+        next.whenCoarse(() -> SwingUtilities.invokeLater(this));   // at once, not when the kicker comes
+        kept = keep;
+        follow(next);
+        kicker.start();
+        listener.run();
+    }
+
+    private void follow(RenderJob next) {
+        stop();
         if (job != null && job.snapshot().hasScene()) {
             read = job;
             if (job != seen) {
@@ -191,13 +254,9 @@ public final class SimpleRay extends ZoomedComponent implements Runnable {
             }
         }
         shown = false;
-        kept = keep;
         job = next;
         next.setFrame(frame);
-        next.whenCoarse(() -> SwingUtilities.invokeLater(this));   // at once, not when the kicker comes
         next.start();
-        kicker.start();
-        listener.run();
     }
 
     /** Cancels the rendering. Its threads end soon; this does not wait for them. */
@@ -242,6 +301,7 @@ public final class SimpleRay extends ZoomedComponent implements Runnable {
             kicker.stop();
             if (now.state() == RenderJob.State.FINISHED && !now.isAlone()) {
                 whole = now.picture();
+                keep(now);
             }
         }
         listener.run();
@@ -267,11 +327,16 @@ public final class SimpleRay extends ZoomedComponent implements Runnable {
         ProgressiveImage next = now.image();
         regions.fit(next.image().getWidth(), next.image().getHeight());
         if (kept && next.isOf(image.getWidth(), image.getHeight())) {
+            finished.removeIf(picture -> picture.snapshot.get() == null || picture.snapshot.get().image() == progressive);
             progressive.reopen(now.isAlone() ? now.region() : Region.whole(image.getWidth(), image.getHeight()));
             whole = null;
         } else {
             show(next);
         }
+        see();
+    }
+
+    private void see() {
         shown = true;
         if (seen != null) {
             seen.forget();

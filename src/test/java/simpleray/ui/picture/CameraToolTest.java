@@ -18,6 +18,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import simpleray.image.Picture;
 import simpleray.scene.PerspectiveCamera.Pose;
 import simpleray.ui.Mouse;
 import simpleray.ui.OpenWindow;
@@ -147,6 +148,24 @@ class CameraToolTest {
         window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_Z);
         assertPose(dragged);
         window.untilState(RenderJob.State.FINISHED);
+    }
+
+    @Test
+    void homeAndAStageShowAFinishedPictureAgainAndRenderNone() {
+        Picture first = OpenWindow.ask(() -> window.picture().whole());
+        window.screen.press(KeyEvent.VK_PAGE_UP);
+        assertPose(new Pose(0, 0, -1 + 2.7, 0, 0, -1, 90));
+        assertThat(rendered()).isNotNull();
+        window.screen.press(KeyEvent.VK_HOME);
+        assertThat(OpenWindow.ask(() -> window.picture().whole())).isSameAs(first);
+        window.untilShown("the scene's own view", own);
+
+        window.screen.press(KeyEvent.VK_1);
+        window.untilState(RenderJob.State.FINISHED);
+        assertThat(OpenWindow.ask(() -> window.picture().whole())).isNotSameAs(first);
+        window.screen.press(KeyEvent.VK_3);
+        assertThat(OpenWindow.ask(() -> window.picture().whole())).isSameAs(first);
+        assertThat(window.status()).startsWith("Finished: 5,400 rays");
     }
 
     @Test
