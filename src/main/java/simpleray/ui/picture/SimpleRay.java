@@ -178,7 +178,7 @@ public final class SimpleRay extends ZoomedComponent implements Runnable {
         int number = 0;
         for (Iterator<Finished> all = finished.iterator(); all.hasNext(); number++) {
             RenderJob.Snapshot one = all.next().snapshot.get();
-            room -= one == null ? 0 : Picture.bytesNeeded(one.picture().width(), one.picture().height());
+            room -= one == null ? 0 : Picture.bytesNeeded(one.picture().width(), one.picture().height(), one.picture().channels());
             if (number == MAX_FINISHED || room < 0) {
                 all.remove();
             }
