@@ -20,7 +20,8 @@ import picocli.CommandLine.Model.OptionSpec;
 class PlainLineTest {
     private static final Map<String, String> VALUES = Map.ofEntries(Map.entry("--output", "b.png"), Map.entry("--size", "64X48"),
         Map.entry("--depth", "3"), Map.entry("--samples", "adaptive"), Map.entry("--cop", "2.5"), Map.entry("--window", "-1,1,-1,1"),
-        Map.entry("--camera", "3,2,5,0,0,0,40"), Map.entry("--background", "0.1,0.2,0.4"), Map.entry("--stage", "Lighting"),
+        Map.entry("--camera", "3,2,5,0,0,0,40"), Map.entry("--parallel", "3,2,5,0,0,0,4"), Map.entry("--up", "0,1,1"),
+        Map.entry("--background", "0.1,0.2,0.4"), Map.entry("--stage", "Lighting"),
         Map.entry("--threads", "2"), Map.entry("--progress", "plain"), Map.entry("--accel", "None"), Map.entry("--stats", "json"),
         Map.entry("--frame", "1.5"), Map.entry("--region", "8,0,16,9"), Map.entry("--band", "2/3"), Map.entry("--skip-done", ""), Map.entry("--quiet", ""),
         Map.entry("--checkpoint", "c.part"), Map.entry("--resume", ""),

@@ -9,7 +9,8 @@ import java.util.Random;
 final class Mutator {
     private static final List<String> NASTY = List.of("NaN", "Infinity", "1e400", "-1e400", "0x10", "1,5", "-1", "0", "-0", "1e9", "2147483648",
         "2147483647", "1e-400", "1e308", "1e154", "4.9e-324", "9".repeat(40), "0." + "0".repeat(400) + "1", "\"", "\"x\"", "#", "transmit", "mirror",
-        "camera", "depth", "window", "4", "99", "\0", "\uFEFF", "\u0661", "\u2028", "abc", "\n", "\r", ".", "-", "1e", "\"../x.obj\"", "f", "vn");
+        "camera", "parallel", "up", "depth", "window", "4", "99", "\0", "\uFEFF", "\u0661", "\u2028", "abc", "\n",
+        "\r", ".", "-", "1e", "\"../x.obj\"", "f", "vn");
     private static final int MAX_CHANGES = 3;
 
     private final Random random;

@@ -66,6 +66,10 @@ final class RandomScenes {
         if (random.nextBoolean()) {
             settings.camera = new PerspectiveCamera.Pose(number(random), 1, number(random), number(random), 2, number(random),
                 Math.nextUp(random.nextDouble() * 179));
+            settings.up = maybe(random, new Vector(random.nextGaussian(), random.nextGaussian(), random.nextGaussian()));
+        } else if (random.nextBoolean()) {
+            settings.parallel = new ParallelCamera.View(number(random), 1, number(random), number(random), 2, number(random),
+                Math.min(1e100, above(random)));
         } else {
             settings.cop = maybe(random, above(random));
             double xmin = random.nextGaussian();
@@ -92,7 +96,7 @@ final class RandomScenes {
             if (scene.getNumberObjects() > 0 && !(scene.getObject(0) instanceof Plane)) {
                 settings.keys.add(key(frame, Key.Kind.OBJECT, 1, random.nextGaussian(), 1.0 + random.nextInt(9), -0.0));
             }
-            if (settings.cop == null && settings.window == null) {
+            if (settings.cop == null && settings.window == null && settings.parallel == null) {
                 settings.keys.add(key(frame, Key.Kind.CAMERA, 0, random.nextGaussian(), 1.0, 1e100, 0.1, 2.0, random.nextGaussian(),
                     Math.nextUp(random.nextDouble() * 179)));
             }

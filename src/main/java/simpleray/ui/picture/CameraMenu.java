@@ -116,12 +116,7 @@ public final class CameraMenu {
 
     /** {@return a free camera with the shortest numbers that show the same; other settings as they are} */
     private SceneSettings shortest(SceneSettings view) {
-        if (view == null || view.camera == null) {
-            return view;
-        }
-        SceneSettings other = new SceneSettings();
-        other.camera = ShortView.of(view.camera, picture.imageSize().width, picture.imageSize().height);
-        return other;
+        return view == null || !view.isFree() ? view : ShortView.of(view, picture.imageSize().width, picture.imageSize().height);
     }
 
     private void save() {

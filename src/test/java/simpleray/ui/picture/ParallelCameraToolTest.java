@@ -83,8 +83,8 @@ class ParallelCameraToolTest {
         window.screen.press(KeyEvent.VK_2);
         assertView(0, -5, 0, 0, 0, 0, 5.4);
         window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_C);
-        Screen.until("it is copied", () -> window.status().startsWith("Copied: parallel 0.0 -5.0 0.0 0.0 0.0 0.0 5.4"));
-        assertThat(window.status()).endsWith("; up 0.0 0.0 2.0");
+        Screen.until("it is copied", () -> window.status().startsWith("Copied: parallel 0 -5 0 0 0 0 5.4"));
+        assertThat(window.status()).endsWith("; up 0 0 2");
         window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_V);
         Screen.until("it is saved", () -> !window.picture().request().settings().hasCamera());
 
