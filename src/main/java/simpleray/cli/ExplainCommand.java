@@ -7,11 +7,12 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.ParentCommand;
+import simpleray.rays.StoryText;
 import simpleray.render.Accel;
 import simpleray.render.Explainer;
 import simpleray.render.PixelStory;
 import simpleray.render.RenderRequest;
-import simpleray.render.StoryText;
+import simpleray.scene.Scene;
 import simpleray.scene.SceneFile;
 
 /** Tells why a pixel has its colour. */
@@ -21,7 +22,7 @@ import simpleray.scene.SceneFile;
 final class ExplainCommand implements Callable<Integer> {
     /** How a story is written. */
     enum Format {
-        /** Indented lines, numbers of six digits. */
+        /** Indented lines, numbers of three digits. */
         TEXT,
         /** One JSON object, numbers to the last bit. */
         JSON;
@@ -47,7 +48,7 @@ final class ExplainCommand implements Callable<Integer> {
     private Pixel pixel;
 
     @Option(names = "--format", paramLabel = "FORMAT", defaultValue = "text",
-        description = "${COMPLETION-CANDIDATES} (default: ${DEFAULT-VALUE}): indented lines with numbers of six digits, or one object "
+        description = "${COMPLETION-CANDIDATES} (default: ${DEFAULT-VALUE}): indented lines with numbers of three digits, or one object "
             + "with numbers to the last bit.")
     private Format format = Format.TEXT;
 
@@ -93,7 +94,8 @@ final class ExplainCommand implements Callable<Integer> {
         if (drawn) {
             drawing.draw(main, quiet, points ? story : explainer.story(pixel.x, pixel.y, true), request, scene, read);
         }
-        TextOutput.say(main, format == Format.JSON ? StoryJson.of(story) : StoryText.of(story));
+        Scene asked = request.applyTo(read.scene());
+        TextOutput.say(main, format == Format.JSON ? StoryJson.of(story) : StoryText.of(story, asked, asked.settings.newCamera()));
         return ExitCode.DONE;
     }
 }

@@ -133,6 +133,20 @@ public record RaySegment(Kind kind, Point from, Point to, boolean endless, RayTr
         }
     }
 
+    /**
+     * Finds what blocks a light.
+     *
+     * @param tree a ray
+     * @param lamp a light at its hit that is blocked
+     * @param scene its scene
+     * @return a new point, where the shadow ray hits the object that stops it
+     */
+    public static Point stop(RayTree tree, Lamp lamp, Scene scene) {
+        Ray ray = new Ray(tree.hit().point(), lamp.towards());
+        int blocker = lamp.between().get(lamp.between().size() - 1).object().number() - 1;
+        return ray.getPointAt(scene.getObject(blocker).intersect(ray));
+    }
+
     /** {@return the light itself, or some points of an area light, spread evenly; none if its points are not told} */
     private static List<Lamp> fan(Contribution contribution) {
         if (contribution instanceof Lamp lamp) {
@@ -162,8 +176,7 @@ public record RaySegment(Kind kind, Point from, Point to, boolean endless, RayTr
                 out.add(new RaySegment(Kind.ARRIVING, from, ray.getPointAt(endless ? FAR * length : lamp.distance()), endless, tree, lamp));
             }
             case BLOCKED -> {
-                int blocker = lamp.between().get(lamp.between().size() - 1).object().number() - 1;
-                out.add(new RaySegment(Kind.STOPPED, from, ray.getPointAt(scene.getObject(blocker).intersect(ray)), false, tree, lamp));
+                out.add(new RaySegment(Kind.STOPPED, from, stop(tree, lamp, scene), false, tree, lamp));
             }
             default -> {
                 return;                                       // no shadow ray is traced

@@ -36,6 +36,7 @@ import simpleray.scene.Terms;
 import simpleray.scene.VisibilityTester;
 import simpleray.scene.WhittedIntegrator;
 import simpleray.text.Diagnostic;
+import simpleray.text.RoundedDecimal;
 import simpleray.trace.CompiledScene;
 
 /**
@@ -47,6 +48,8 @@ import simpleray.trace.CompiledScene;
 public final class SceneLint {
     /** The number of rays along each side of the picture, and that of a second try if the first does not find everything. */
     private static final int[] SIDES = {64, 120};
+    /** How many digits a place has. */
+    private static final int DIGITS = 6;
     private static final int MAX_REFLECTIONS = 4;
     /** The level of a brighter component would be above 255. */
     private static final double WHITE = 255.5 / 255;
@@ -247,7 +250,9 @@ public final class SceneLint {
         String both = second == null || second.equals(first) ? first : first + " and " + second;   // of one mesh
         String who = pair.first() == pair.second() ? "faces of object " + named(pair.first(), both)
             : "objects " + named(pair.first(), first) + " and " + named(pair.second(), second);
-        warn(file.lineOfObject(pair.second()), who + " overlap in one plane, as at " + StoryText.point(pair.place()) + rest);
+        Point at = pair.place();
+        warn(file.lineOfObject(pair.second()), who + " overlap in one plane, as at ("
+            + RoundedDecimal.of(at.x, at.y, at.z, DIGITS) + ')' + rest);
     }
 
     private static String others(int pairs) {

@@ -28,7 +28,12 @@ public record RayTree(Ray ray, int depth, boolean told, Hit hit, Colour colour) 
         /** The objects between transmit some of it. */
         DIMMED,
         /** The objects between block it. */
-        BLOCKED
+        BLOCKED;
+
+        /** {@return whether light arrives} */
+        public boolean isLit() {
+            return this != TURNED_AWAY && this != BLOCKED;
+        }
     }
 
     /**

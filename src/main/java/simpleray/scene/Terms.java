@@ -14,7 +14,7 @@ public record Terms(boolean ambient, boolean diffuse, boolean specular, boolean 
     public static final Terms ALL = new Terms(true, true, true, true, true);
 
     /** {@return whether a term depends on lights} */
-    boolean lights() {
+    public boolean lights() {
         return diffuse || specular;
     }
 }

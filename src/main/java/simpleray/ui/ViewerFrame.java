@@ -86,7 +86,7 @@ final class ViewerFrame extends JFrame implements EditorContext {
         split = new JSplitPane(JSplitPane.VERTICAL_SPLIT, beside, null);
         split.setResizeWeight(1);
         split.setDividerSize(0);                              // until there are problems to show
-        inspector = new Inspector(this, line -> status.showPixel(line.isBlank() ? document.valueLine() : line));
+        inspector = new Inspector(this, line -> status.showPixel(line.isBlank() ? document.valueLine() : line), document::goTo);
         inspector.setPointed(document::pointed);
         PictureDialogs dialogs = new PictureDialogs(this, preferences);
         desktop = new DesktopActions(this, preferences, look, this::lookChanged);

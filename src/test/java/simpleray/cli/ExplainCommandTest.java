@@ -38,22 +38,12 @@ class ExplainCommandTest {
 
         assertThat(result.text()).isEqualTo("""
             pixel 0,0 of 1x1, stage final: 0.5 1 0.25, levels 128 255 64
-              sample at 0.5,0.5: 0.5 1 0.25
-                ray from (0 0 2) along (0 0 -1), depth 10: 0.5 1 0.25
-                  hits object 1 (plane, line 2) at distance 4
-                    point (0 0 -2), normal (0 0 1), going in
-                  ambient: 0.5 1 0.25
-                    Ka 0.5 1 0.25, GA 1 1 1
-                  light 1 (directional light, line 5): 0 0 0
-                    the surface is turned away from it
-                    LC 1 0.5 0
-                    L (0 0 -1), N.L -1
-                    H (0 0 0), N.H 0
-                    diffuse 0 0 0, Kd 1 1 1
-                    specular 0 0 0, Ks 0 0 0, shininess 1
-                  diffuse of all lights: 0 0 0
-                  specular of all lights: 0 0 0
-                  sum: 0.5 1 0.25
+              White back wall (line 2), turned away from light 1.
+                0.5 1 0.25 = ambient 0.5 1 0.25
+                ambient = Ka · GA = (0.5 1 0.25) · (1 1 1) = 0.5 1 0.25
+                light 1 (line 5) is behind the surface
+                  L = (0 0 -1), N·L = -1
+                ray from (0 0 2) along (0 0 -1), depth 10: t = 4, P = (0 0 -2), N = (0 0 1), going in
             """);
         assertThat(result.err()).isEmpty();
         assertThat(result.exitCode()).isZero();
@@ -143,7 +133,7 @@ class ExplainCommandTest {
 
         assertThat(own).startsWith("pixel 2,1 of 3x2, stage final: 0.5 1 0.25, levels 128 255 64\n  the mean of 4 samples")
             .contains(", depth 7: ");
-        assertThat(asked).startsWith("pixel 2,1 of 5x4, stage normals: 0.5 0.5 1, levels 128 128 255\n  sample at 2.5,1.5: 0.5 0.5 1\n")
+        assertThat(asked).startsWith("pixel 2,1 of 5x4, stage normals: 0.5 0.5 1, levels 128 128 255\n  the view normals ")
             .contains(", depth 3: ");
     }
 
@@ -206,9 +196,9 @@ class ExplainCommandTest {
         Path scene = Files.writeString(folder.resolve("a.scene"), "1\n4 \"a.obj\" 0 0 0 1  0 0 0  0 1 0  1 1 1  1 mtl\n1 1 1\n1\n1  1 1 1  0 0 -1\n");
 
         assertThat(InProcess.run("explain", scene.toString(), "--pixel", "1,1", "--size", "3x3").text())
-            .contains("hits object 1 (mesh, line 2, material '\"dark\" red' of " + mtl + ":2) at distance 2\n")
-            .contains("reaches the point, dimmed by object 1 (mesh, line 2) with Kt 0.75 0.75 0.75 to 0.75 0.75 0.75\n")
-            .contains("Kd 0.5 0 0\n");
+            .contains("\n  Red mesh (line 2, material '\"dark\" red' of " + mtl + ":2), lit by light 1 through the mesh (line 2).\n")
+            .contains("arriving = LC · Kt = (1 1 1) · (0.75 0.75 0.75) = 0.75 0.75 0.75\n")
+            .contains("diffuse = Kd · arriving · (N·L) = (0.5 0 0) · ");
         assertThat(InProcess.run("explain", scene.toString(), "--pixel", "1,1", "--size", "3x3", "--format", "json").text())
             .contains("{\"number\":1,\"kind\":\"mesh\",\"line\":2,\"mtl\":{\"name\":\"\\\"dark\\\" red\",\"file\":\"" + mtl + "\",\"line\":2},\"distance\":2.0,");
     }

@@ -174,7 +174,7 @@ class VerifyCommandTest {
             picture + ":55:1: warning: light 2 (line 55) lights nothing that is seen: object 4 (plane, line 19) is in the way\n",
             "check", picture);
         assertThat(InProcess.run("explain", picture.toString(), "--pixel", "20,15").text())
-            .startsWith("pixel 20,15 of 40x30, stage final: ").contains("hits object 5 (plane, line 23)");
+            .startsWith("pixel 20,15 of 40x30, stage final: ").contains("\n  Red back wall (line 23), ");
         assertThat(InProcess.run("print", picture.toString()).text()).startsWith("Scene has 9 objects\n")
             .endsWith("resolution 40 30\ndepth 10\nsamples 1\n");
     }

@@ -18,6 +18,7 @@ import simpleray.Project;
 import simpleray.RandomScenes;
 import simpleray.image.Picture;
 import simpleray.math.Colour;
+import simpleray.rays.StoryText;
 import simpleray.scene.RayTree;
 import simpleray.scene.Scene;
 import simpleray.scene.SceneFile;
@@ -55,15 +56,16 @@ class ExplainerTest {
     void theStoryDoesNotDependOnAcceleration() {
         RandomScenes scenes = new RandomScenes(SEED, folder);
         int blocked = 0;
+        SimpleCamera camera = new SimpleCamera(SIDE, SIDE);
         for (int i = 0; i < 60; i++) {
             Scene scene = scenes.next(i % 10 == 0 ? 60 : 20);
             Explainer plain = explainer(scene, Accel.NONE);
             Explainer engine = explainer(scene, Accel.AUTO);
             for (int p = 0; p < SIDE * SIDE; p++) {
-                String text = StoryText.of(engine.story(p % SIDE, p / SIDE));
-                assertThat(text).isEqualTo(StoryText.of(plain.story(p % SIDE, p / SIDE)));
+                String text = StoryText.of(engine.story(p % SIDE, p / SIDE), scene, camera);
+                assertThat(text).isEqualTo(StoryText.of(plain.story(p % SIDE, p / SIDE), scene, camera));
                 assertThat(engine.objectAt(p % SIDE, p / SIDE)).isEqualTo(plain.objectAt(p % SIDE, p / SIDE));
-                blocked += text.contains("blocked by") ? 1 : 0;
+                blocked += text.contains(" is hidden by ") ? 1 : 0;
             }
         }
         assertThat(blocked).isGreaterThan(30);

@@ -14,6 +14,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import simpleray.image.Picture;
+import simpleray.rays.StoryText;
 import simpleray.scene.Scene;
 import simpleray.scene.SimpleCamera;
 
@@ -206,12 +207,14 @@ class RendererTransparentTest {
 
     @Test
     void theStoryNamesWhatIsTransparent() throws IOException {
-        assertThat(StoryText.of(renderer(CORNER + NONE, 1, Stage.FINAL, 2, Accel.AUTO, 1).explainer().story(0, 0)))
-            .startsWith("pixel 0,0 of 1x1, stage final: 0.5 0.25 0, levels 128 64 0, alpha 0.75, level 191\n"
+        assertThat(story(CORNER + NONE, 2)).startsWith("pixel 0,0 of 1x1, stage final: 0.5 0.25 0, levels 128 64 0, alpha 0.75, level 191\n"
                 + "  the mean of 3 of 4 samples, each brought into 0 to 1\n")
             .contains("  sample at 0.75,0.25: hits nothing: transparent\n").doesNotContain("background");
-        assertThat(StoryText.of(renderer("0  1 1 1  0\n" + NONE, 1, Stage.FINAL, 1, Accel.AUTO, 1).explainer().story(0, 0)))
-            .isEqualTo("pixel 0,0 of 1x1, stage final: 0 0 0, levels 0 0 0, transparent\n"
-                + "  sample at 0.5,0.5: hits nothing: transparent\n");
+        assertThat(story("0  1 1 1  0\n" + NONE, 1)).isEqualTo("pixel 0,0 of 1x1, stage final: 0 0 0, levels 0 0 0, transparent\n"
+            + "  Nothing is hit.\n    ray from (0 0 2) along (0 0 -1), depth 10\n");
+    }
+
+    private static String story(String text, int samples) throws IOException {
+        return StoryText.of(renderer(text, 1, Stage.FINAL, samples, Accel.AUTO, 1).explainer().story(0, 0), scene(text), new SimpleCamera(1, 1));
     }
 }

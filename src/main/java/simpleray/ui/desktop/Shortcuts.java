@@ -36,6 +36,8 @@ public final class Shortcuts {
         new Shortcut("Rays", "Go nearer to the rays, go away", "Wheel, Page Up, Page Down"),
         new Shortcut("Rays", "Go back to where all of them are seen", "Home"),
         new Shortcut("Rays", "Select a ray, and its line of the story", "Click"),
+        new Shortcut("Story", "Mark what a line tells about", "Click, Arrows"),
+        new Shortcut("Story", "Show the object or light in the text", "Click on its line, Enter"),
         new Shortcut("Problems", "Go to its place in the text", "Click, Enter"),
         new Shortcut("Text", "Save the scene", "Ctrl+S"),
         new Shortcut("Text", "Find the next, the one before", "F3, Shift+F3"),

@@ -537,6 +537,15 @@ public final class SceneDocument {
         });
     }
 
+    /**
+     * Shows a line of the text.
+     *
+     * @param line the line, from 1
+     */
+    public void goTo(int line) {
+        show(() -> editor.goTo(line, 1));
+    }
+
     /** {@return the problems that are marked in the text} */
     public List<String> marked() {
         return editor == null ? List.of() : editor.area().marked();

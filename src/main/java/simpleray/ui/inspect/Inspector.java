@@ -11,6 +11,7 @@ import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
+import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Future;
@@ -30,8 +31,10 @@ import simpleray.image.Picture;
 import simpleray.render.Explainer;
 import simpleray.render.PixelStory;
 import simpleray.render.Progress;
-import simpleray.render.StoryText;
+import simpleray.rays.StoryText;
+import simpleray.scene.Camera;
 import simpleray.scene.RayTree;
+import simpleray.scene.Scene;
 import simpleray.ui.picture.RenderJob;
 import simpleray.ui.picture.SimpleRay;
 import simpleray.ui.picture.ViewerContext;
@@ -50,11 +53,15 @@ public final class Inspector {
     private static final int OTHER_KEYS = InputEvent.CTRL_DOWN_MASK | InputEvent.SHIFT_DOWN_MASK | InputEvent.ALT_DOWN_MASK
         | InputEvent.META_DOWN_MASK;
 
+    /** A story, of which scene, in which camera's picture. */
+    private record Told(PixelStory pixel, Scene scene, Camera camera) {
+    }
+
     private final SimpleRay picture;
     private final Consumer<String> hoverLine;
     private final Consumer<String> status;
     private IntConsumer pointed = number -> { };
-    private final Lazy<StoryPane> pane = new Lazy<>(() -> new StoryPane(this::copy, this::closeStory, this::chooseRay));
+    private final Lazy<StoryPane> pane;
     private final Lazy<RaysPane> rays;
     private final JCheckBoxMenuItem raysItem = new JCheckBoxMenuItem(KeyBindings.action("Rays", "V", this::toggleRays));
     private final JCheckBoxMenuItem vectors = new JCheckBoxMenuItem(
@@ -73,7 +80,8 @@ public final class Inspector {
     private boolean asking;                                   // an answer about a pixel under the mouse is to come
     private Point cursor;
     private Future<?> telling;
-    private PixelStory story;                                 // in the pane
+    private Told story;                                       // in the pane
+    private List<StoryMark> marks = List.of();                // of the line that is chosen in it
     private RenderJob explained;                              // whose explainer that is; both for the teller's thread alone
     private Explainer explainer;
 
@@ -82,12 +90,14 @@ public final class Inspector {
      *
      * @param window the window
      * @param hoverLine gets a line about the pixel under the mouse; a blank if there is none
+     * @param goTo shows a line of the scene's text
      */
-    public Inspector(ViewerContext window, Consumer<String> hoverLine) {
+    public Inspector(ViewerContext window, Consumer<String> hoverLine, IntConsumer goTo) {
         picture = window.picture();
         status = window::say;
         teller = window.workers().stopping("simpleray-inspector");
         this.hoverLine = hoverLine;
+        pane = new Lazy<>(() -> new StoryPane(this::copy, this::closeStory, this::chooseRay, goTo));
         ExecutorService drawer = window.workers().stopping("simpleray-rays");
         rays = new Lazy<>(() -> {
             JCheckBox box = new JCheckBox("N, H");
@@ -267,6 +277,7 @@ public final class Inspector {
         } else {
             cancelTelling();
             story = null;
+            mark(null, null);
             cursor = null;
             beside.setRightComponent(null);
             beside.setDividerSize(0);
@@ -290,12 +301,20 @@ public final class Inspector {
     }
 
     private void chooseRay(RayTree ray, RayTree.Lamp lamp) {
-        if (isRaysOpen()) {
+        mark(ray, lamp);
+        if (isRaysOpen() && ray != null) {
             rays.get().choose(ray, lamp);
         }
     }
 
+    /** Marks in the picture what a line of the story, or a ray, tells about: nothing for null. */
+    private void mark(RayTree ray, RayTree.Lamp lamp) {
+        marks = ray == null || story == null ? List.of() : StoryMark.of(ray, lamp, story.scene, story.camera);
+        picture.repaint();
+    }
+
     private void selectLine(RaySegment segment) {
+        mark(segment.ray(), segment.lamp());
         if (storyWanted) {
             pane.get().select(segment.ray(), segment.lamp());
         }
@@ -327,14 +346,14 @@ public final class Inspector {
 
     /** Puts the story on the clipboard, as text. */
     private void copy() {
-        PixelStory told = story;
+        Told told = story;
         if (told != null) {
             teller.execute(() -> {
-                String text = StoryText.of(told);
+                String text = StoryText.of(told.pixel, told.scene, told.camera);
                 SwingUtilities.invokeLater(() -> {
                     try {
                         picture.getToolkit().getSystemClipboard().setContents(new StringSelection(text), null);
-                        status.accept("Copied the story of pixel " + told.x() + ", " + told.y());
+                        status.accept("Copied the story of pixel " + told.pixel.x() + ", " + told.pixel.y());
                     } catch (IllegalStateException e) {
                         status.accept("The clipboard is in use by another program");
                     }
@@ -387,6 +406,10 @@ public final class Inspector {
             frame.grow(1, 1);
             canvas.setColor(Color.BLACK);
             canvas.drawRect(frame.x, frame.y, frame.width - 1, frame.height - 1);
+            Rectangle all = picture.place();
+            Dimension size = picture.imageSize();
+            marks.forEach(mark -> mark.paint(canvas, all.x + mark.x() * all.width / size.width,
+                all.y + mark.y() * all.height / size.height));
         }
     }
 
@@ -458,15 +481,15 @@ public final class Inspector {
         boolean wantsStory = storyWanted;
         boolean wantsRays = isRaysOpen();
         telling = teller.submit(() -> {
-            PixelStory told;
+            Told told;
             DefaultMutableTreeNode root;
             RaysView.Rays drawn;
             try {
-                told = explainer(job).story(pixel.x, pixel.y);
-                root = wantsStory ? StoryPane.tree(StoryText.lines(told)) : null;
+                PixelStory made = explainer(job).story(pixel.x, pixel.y, wantsRays);     // rays go to the points of area lights
                 RenderJob.Snapshot now = job.snapshot();
-                drawn = wantsRays ? new RaysView.Rays(now.scene(), now.settings().newCamera(), told.x(), told.y(),
-                    RaySegment.of(told, now.scene())) : null;
+                told = new Told(made, now.scene(), now.settings().newCamera());
+                root = wantsStory ? StoryPane.tree(StoryText.lines(made, told.scene, told.camera)) : null;
+                drawn = wantsRays ? new RaysView.Rays(told.scene, told.camera, pixel.x, pixel.y, RaySegment.of(made, told.scene)) : null;
             } catch (CancellationException e) {
                 return;
             } catch (RuntimeException | Error e) {
@@ -477,11 +500,12 @@ public final class Inspector {
         });
     }
 
-    private void show(PixelStory told, DefaultMutableTreeNode root, RaysView.Rays drawn, RenderJob job, boolean focus) {
-        if (cursor == null || job != shown || told.x() != cursor.x || told.y() != cursor.y) {
+    private void show(Told told, DefaultMutableTreeNode root, RaysView.Rays drawn, RenderJob job, boolean focus) {
+        if (cursor == null || job != shown || told.pixel.x() != cursor.x || told.pixel.y() != cursor.y) {
             return;                                           // closed or moved on
         }
         story = told;
+        mark(null, null);
         untold = null;
         if (focus || isOpen()) {
             arrange();
@@ -489,7 +513,7 @@ public final class Inspector {
             picture.keepPlace(this::arrange);                 // what was clicked stays under the mouse
         }
         if (root != null && storyWanted) {
-            pane.get().show("Pixel " + told.x() + ", " + told.y(), root, focus);
+            pane.get().show("Pixel " + cursor.x + ", " + cursor.y, root, focus);
         }
         if (drawn != null && isRaysOpen()) {
             rays.get().show(drawn);

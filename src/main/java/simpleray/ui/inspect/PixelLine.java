@@ -3,7 +3,7 @@ package simpleray.ui.inspect;
 import java.awt.Point;
 import simpleray.image.Picture;
 import simpleray.math.Colour;
-import simpleray.render.StoryText;
+import simpleray.rays.StoryText;
 import simpleray.ui.picture.SimpleRay;
 
 /** Describes a pixel without following a ray. */

@@ -2,26 +2,25 @@ package simpleray.ui.inspect;
 
 import java.awt.BorderLayout;
 import java.awt.Dimension;
+import java.awt.FlowLayout;
 import java.awt.Rectangle;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.function.BiConsumer;
+import java.util.function.IntConsumer;
+import java.util.stream.Collectors;
 import javax.swing.BorderFactory;
-import javax.swing.Box;
-import javax.swing.BoxLayout;
 import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
-import javax.swing.JTree;
 import javax.swing.tree.DefaultMutableTreeNode;
-import javax.swing.tree.DefaultTreeCellRenderer;
 import javax.swing.tree.DefaultTreeModel;
 import javax.swing.tree.TreeNode;
 import javax.swing.tree.TreePath;
 import javax.swing.tree.TreeSelectionModel;
-import simpleray.render.StoryText;
+import simpleray.rays.StoryText;
 import simpleray.scene.RayTree;
 
 /** The story of a pixel as a tree: each line below the one it belongs to, to be opened where one wants to know more. */
@@ -30,54 +29,39 @@ final class StoryPane extends JPanel {
     /** The width at first. */
     static final int WIDTH = 400;
     private static final int INDENT = 20;
-    /** Lines above this level are open at first: down to the hit and the share of each light. */
-    private static final int OPEN = 3;
-
-    /** A line in the tree. */
-    private static final class Node extends DefaultMutableTreeNode {
-        private static final long serialVersionUID = 1L;
-        private final transient StoryText.Line line;
-
-        Node(StoryText.Line line) {
-            super(line.text());
-            this.line = line;
-        }
-    }
+    private static final int GAP = 6;
+    /** More lights than these are not opened at first. */
+    private static final int MAX_OPEN = 3;
 
     private boolean showing;                                  // the selection is not the user's
     private final JLabel title = new JLabel(" ");
-    private final JTree tree = new JTree(new DefaultTreeModel(new DefaultMutableTreeNode("")));
+    private final StoryTree tree;
 
-    StoryPane(Runnable copy, Runnable close, BiConsumer<RayTree, RayTree.Lamp> chosen) {
+    /** Creates a pane, which hands on the ray and the light of a line that is chosen, and the line of the scene's text to be shown. */
+    StoryPane(Runnable copy, Runnable close, BiConsumer<RayTree, RayTree.Lamp> chosen, IntConsumer goTo) {
         super(new BorderLayout());
+        tree = new StoryTree(goTo);
         title.setName("story title");
-        tree.setName("story");
-        tree.getAccessibleContext().setAccessibleName("Story of the pixel");
         tree.getSelectionModel().setSelectionMode(TreeSelectionModel.DISCONTIGUOUS_TREE_SELECTION);
-        DefaultTreeCellRenderer plain = new DefaultTreeCellRenderer();
-        plain.setLeafIcon(null);
-        plain.setOpenIcon(null);
-        plain.setClosedIcon(null);
-        tree.setCellRenderer(plain);
         tree.addTreeSelectionListener(e -> {
-            if (!showing && tree.getSelectionCount() == 1
-                && tree.getLastSelectedPathComponent() instanceof Node node && node.line.ray() != null) {
+            if (!showing && tree.getSelectionCount() == 1 && tree.getLastSelectedPathComponent() instanceof StoryTree.Node node) {
                 chosen.accept(node.line.ray(), node.line.lamp());
             }
         });
-        JPanel head = new JPanel();
-        head.setLayout(new BoxLayout(head, BoxLayout.X_AXIS));
-        head.setBorder(BorderFactory.createEmptyBorder(4, 8, 4, 8));
-        head.add(title);
-        head.add(Box.createHorizontalGlue());
-        head.add(button("Copy", "Copy Story (Ctrl+Shift+I)", copy));
-        head.add(Box.createHorizontalStrut(6));
-        head.add(button("Close", "Close Story (Shift+I)", close));
+        JPanel buttons = new JPanel(new FlowLayout(FlowLayout.TRAILING, GAP, 0));
+        buttons.add(button("Copy", "Copy Story (Ctrl+Shift+I)", copy));
+        buttons.add(button("Close", "Close Story (Shift+I)", close));
+        JPanel head = new JPanel(new BorderLayout());         // a title too long is cut, the buttons never are
+        head.setBorder(BorderFactory.createEmptyBorder(4, 8, 4, 2));
+        head.add(title, BorderLayout.CENTER);
+        head.add(buttons, BorderLayout.EAST);
         JScrollPane scroll = new JScrollPane(tree);
         scroll.setPreferredSize(new Dimension(WIDTH, WIDTH));
         add(head, BorderLayout.NORTH);
         add(scroll, BorderLayout.CENTER);
-        setMinimumSize(new Dimension(WIDTH / 3, 0));
+        title.setMinimumSize(new Dimension(0, 0));
+        title.setPreferredSize(new Dimension(0, buttons.getPreferredSize().height));
+        setMinimumSize(head.getPreferredSize());
     }
 
     private static JButton button(String text, String tip, Runnable task) {
@@ -92,7 +76,7 @@ final class StoryPane extends JPanel {
     static DefaultMutableTreeNode tree(List<StoryText.Line> lines) {
         List<DefaultMutableTreeNode> last = new ArrayList<>();   // on each level
         for (StoryText.Line line : lines) {
-            DefaultMutableTreeNode node = new Node(line);
+            DefaultMutableTreeNode node = new StoryTree.Node(line);
             if (line.level() > 0) {
                 last.get(line.level() - 1).add(node);
             }
@@ -107,8 +91,8 @@ final class StoryPane extends JPanel {
         title.setText(name);
         showing = true;
         tree.setModel(new DefaultTreeModel(root));
-        open(root);
         tree.setSelectionRow(0);
+        open(root);
         showing = false;
         if (focus) {
             tree.requestFocusInWindow();
@@ -120,7 +104,7 @@ final class StoryPane extends JPanel {
     void select(RayTree ray, RayTree.Lamp lamp) {
         DefaultMutableTreeNode root = (DefaultMutableTreeNode) tree.getModel().getRoot();
         for (TreeNode any : Collections.list(root.preorderEnumeration())) {
-            if (any instanceof Node node && node.line.ray() == ray && node.line.lamp() == lamp) {
+            if (any instanceof StoryTree.Node node && node.line.ray() == ray && node.line.lamp() == lamp) {
                 TreePath path = new TreePath(node.getPath());
                 showing = true;
                 tree.setSelectionPath(path);
@@ -132,12 +116,38 @@ final class StoryPane extends JPanel {
         }
     }
 
-    /** Opens the upper levels; of several samples none, or the pane would be full of the first one. */
-    private void open(DefaultMutableTreeNode node) {
-        boolean several = node.isRoot() && node.getChildCount() > 1;
-        tree.expandPath(new TreePath(node.getPath()));
-        for (int i = 0; !several && i < node.getChildCount() && node.getLevel() + 1 < OPEN; i++) {
-            open((DefaultMutableTreeNode) node.getChildAt(i));
+    /** Opens the story of the ray from the eye; of several samples that of the middle one, whose rays are drawn. */
+    private void open(TreeNode root) {
+        List<TreeNode> samples = parents(root);
+        TreePath path = new TreePath(root);
+        tree.expandPath(path);
+        if (samples.size() > 1) {
+            TreeNode middle = samples.get(samples.size() / 2);
+            path = path.pathByAddingChild(middle);
+            samples = parents(middle);
         }
+        if (!samples.isEmpty()) {
+            path = path.pathByAddingChild(samples.get(0));
+            tree.expandPath(path);
+            openLights(path);
+        }
+        Rectangle top = tree.getPathBounds(path.getPathCount() > 2 ? path.getParentPath() : path);
+        if (top != null && path.getPathCount() > 2) {
+            tree.scrollRectToVisible(new Rectangle(0, top.y, 1, tree.getVisibleRect().height));
+        }
+    }
+
+    /** Opens the lights that reach the point, if they are few: their terms are what the sum is made of. */
+    private void openLights(TreePath ray) {
+        List<TreeNode> lit = parents((TreeNode) ray.getLastPathComponent()).stream()
+            .filter(child -> ((StoryTree.Node) child).line.lamp() != null && ((StoryTree.Node) child).line.lamp().verdict().isLit())
+            .collect(Collectors.toList());
+        if (lit.size() <= MAX_OPEN) {
+            lit.forEach(child -> tree.expandPath(ray.pathByAddingChild(child)));
+        }
+    }
+
+    private static List<TreeNode> parents(TreeNode node) {
+        return Collections.list(node.children()).stream().filter(child -> !child.isLeaf()).collect(Collectors.toList());
     }
 }

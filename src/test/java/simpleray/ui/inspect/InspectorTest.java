@@ -23,13 +23,14 @@ import javax.swing.JTree;
 import org.junit.jupiter.api.Test;
 import simpleray.image.Picture;
 import simpleray.math.Colour;
+import simpleray.rays.StoryText;
 import simpleray.render.Explainer;
 import simpleray.render.PixelStory;
 import simpleray.render.RenderListener;
 import simpleray.render.RenderSettings;
 import simpleray.render.Renderer;
 import simpleray.render.Stage;
-import simpleray.render.StoryText;
+import simpleray.scene.RayTree;
 import simpleray.scene.SceneFile;
 import simpleray.scene.SimpleCamera;
 import simpleray.ui.OpenWindow;
@@ -240,7 +241,8 @@ class InspectorTest {
 
             window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_I);
             Screen.until("it is copied", () -> window.status().equals("Copied the story of pixel " + there.x() + ", " + there.y()));
-            assertThat(Toolkit.getDefaultToolkit().getSystemClipboard().getData(DataFlavor.stringFlavor)).isEqualTo(StoryText.of(there));
+            assertThat(Toolkit.getDefaultToolkit().getSystemClipboard().getData(DataFlavor.stringFlavor)).isEqualTo(
+                StoryText.of(there, SceneFile.read(TestScenes.THESIS).scene(), new SimpleCamera(WIDTH, HEIGHT)));
 
             window.screen.press(KeyEvent.VK_SHIFT, KeyEvent.VK_I);
             Screen.until("the story is gone", () -> tree() == null && window.picture().isFocusOwner());
@@ -358,10 +360,12 @@ class InspectorTest {
         return OpenWindow.seen(JTree.class, tree -> "story".equals(tree.getName()));
     }
 
-    /** Waits until a story is shown, its upper levels open. */
-    private static void untilStory(OpenWindow window, PixelStory story) {
-        List<String> open = StoryText.lines(story).stream().filter(line -> line.level() <= 3).map(StoryText.Line::text)
-            .collect(Collectors.toList());
+    /** Waits until a story is shown, with the hit of the ray from the eye open, and its lights that arrive. */
+    private static void untilStory(OpenWindow window, PixelStory story) throws IOException {
+        RayTree primary = story.samples().get(0).tree();
+        List<String> open = StoryText.lines(story, SceneFile.read(TestScenes.THESIS).scene(), new SimpleCamera(WIDTH, HEIGHT)).stream()
+            .filter(line -> line.level() <= 2 || line.ray() == primary && line.lamp() != null && line.lamp().verdict().isLit())
+            .map(StoryText.Line::text).collect(Collectors.toList());
         Screen.until("the story of " + story.x() + ", " + story.y() + " is shown", () -> {
             JTree tree = tree();
             if (tree == null || tree.getRowCount() != open.size()) {

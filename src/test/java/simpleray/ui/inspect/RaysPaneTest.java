@@ -112,7 +112,7 @@ class RaysPaneTest {
             Point on = OpenWindow.ask(() -> on(view, Kind.MIRROR));
             window.screen.click(view, () -> new Point(on));
             Screen.until("the ray is chosen", () -> label("ray").contains("mirror ray"));
-            Screen.until("so is its line", () -> selected().startsWith("ray from ") && tree().getSelectionPath().getPathCount() > 3);
+            Screen.until("so is its line", () -> selected().startsWith("Mirror ray: ") && tree().getSelectionPath().getPathCount() == 3);
         }
     }
 
@@ -219,9 +219,10 @@ class RaysPaneTest {
 
     private static void untilRay(int index, List<RaySegment> segments) {
         RaySegment segment = segments.get(index);
-        String line = segment.lamp() == null ? "ray from " : "light " + segment.lamp().light().number() + " ";
+        String line = segment.lamp() != null ? "light " + segment.lamp().light().number() + " "
+            : segment.kind() == Kind.PRIMARY ? "" : "Mirror ray: ";
         Screen.until("ray " + index + " is chosen", () -> label("ray").startsWith(index + 1 + " of " + segments.size() + ": "
-            + segment.kind().label()) && selected().startsWith(line));
+            + segment.kind().label()) && selected().startsWith(line) && !selected().startsWith("pixel "));
     }
 
     private static String selected() {
