@@ -87,7 +87,7 @@ class ExplainerTest {
         small.samples = 1;
         StorySums sums = new StorySums();
 
-        check(new RenderRequest(small, Stage.FINAL, false, 1).renderer(SceneFile.read(Project.scene(name)).scene()), 5, sums, name);
+        check(new RenderRequest(small, Stage.FINAL, false, 1).renderer(SceneFile.read(Project.scene(name)).scene()), 3, sums, name);
 
         assertThat(sums.hits).isGreaterThan(10);
     }
