@@ -10,6 +10,7 @@ import simpleray.scene.Object;
 import simpleray.scene.Plane;
 import simpleray.scene.RayTree.Thing;
 import simpleray.scene.Scene;
+import simpleray.scene.Triangle;
 
 /**
  * What a viewer would call the objects of a scene: "white sphere", "left wall". The words come from the material and the shape alone. Reads
@@ -51,6 +52,12 @@ final class ObjectNames {
         Material seen = material != null ? material : object instanceof Mesh ? null : object.material(0);
         String look = seen == null ? "" : look(seen) + ' ';
         return look + (object instanceof Plane plane ? wall(plane) : thing.kind());
+    }
+
+    /** {@return whether an object has an inside} */
+    boolean isBody(Thing thing) {
+        Object object = scene.getObject(thing.number() - 1);
+        return !(object instanceof Plane || object instanceof Triangle);
     }
 
     private String wall(Plane plane) {

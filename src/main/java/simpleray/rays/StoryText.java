@@ -324,7 +324,7 @@ public final class StoryText {
     private void tellSentence(RayTree story) {
         Hit hit = story.hit();
         Thing object = hit.object();
-        if (!hit.enters() && !hit.material().transmission.isBlack()) {
+        if (!hit.enters() && !hit.material().transmission.isBlack() && names.isBody(object)) {
             say(parts.isEmpty() ? "Inside of the " : "the inside of the ");
         }
         sayObject(object, hit.material());
@@ -350,7 +350,7 @@ public final class StoryText {
         Hit hit = next.tree().hit();
         if (hit == null) {
             say(next.tree().told() ? "the background" : "more than is told");
-        } else if (hit.object().number() == from.number() && !hit.enters()) {
+        } else if (hit.object().number() == from.number() && !hit.enters() && names.isBody(from)) {
             say("its own inside");
         } else {
             say("the ").sayObject(hit.object(), hit.material());

@@ -196,7 +196,7 @@ class ExplainCommandTest {
         Path scene = Files.writeString(folder.resolve("a.scene"), "1\n4 \"a.obj\" 0 0 0 1  0 0 0  0 1 0  1 1 1  1 mtl\n1 1 1\n1\n1  1 1 1  0 0 -1\n");
 
         assertThat(InProcess.run("explain", scene.toString(), "--pixel", "1,1", "--size", "3x3").text())
-            .contains("\n  Red mesh (line 2, material '\"dark\" red' of " + mtl + ":2), lit by light 1 through the mesh (line 2).\n")
+            .contains("\n  Red mesh (line 2, material '\"dark\" red' of " + mtl + ":2), lit by light 1 through the mesh (line 2)")
             .contains("arriving = LC · Kt = (1 1 1) · (0.75 0.75 0.75) = 0.75 0.75 0.75\n")
             .contains("diffuse = Kd · arriving · (N·L) = (0.5 0 0) · ");
         assertThat(InProcess.run("explain", scene.toString(), "--pixel", "1,1", "--size", "3x3", "--format", "json").text())
