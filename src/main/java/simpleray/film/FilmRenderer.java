@@ -38,6 +38,7 @@ public final class FilmRenderer {
     private final FrameTexts texts;
     private final Turntable turned;                           // null if the scene moves by itself
     private final FrameRate fps;
+    private final String rateNote;
     private final BitSet frames;
     private final BitSet kept = new BitSet();                 // frames that an ended run has left
     private final AtomicInteger whole = new AtomicInteger();  // frames that are there
@@ -124,6 +125,7 @@ public final class FilmRenderer {
         this.request = request;
         this.output = output;
         film = file.scene().film();
+        film.check(request.settings());
         texts = new FrameTexts(file);
         int count = plan.turns > 0 ? plan.turns : film.frames();
         turned = plan.turns > 0 ? new Turntable(film.still(0).settings, request, count) : null;
@@ -138,6 +140,7 @@ public final class FilmRenderer {
             frames.and(plan.frames);
         }
         fps = plan.rate != null ? plan.rate : new FrameRate(film.rate());
+        rateNote = output.kind() == FilmOutput.Kind.GIF ? GifFilm.note(fps) : null;
         if (output.kind() == FilmOutput.Kind.APNG) {
             fps.fraction(MAX_DELAY);
         }
@@ -176,7 +179,7 @@ public final class FilmRenderer {
 
     /** {@return what is to be said of the rate; null for nothing} */
     public String rateNote() {
-        return output.kind() == FilmOutput.Kind.GIF ? GifFilm.note(fps) : null;
+        return rateNote;
     }
 
     /** {@return the work that the frames were which are rendered; the rays are null if they were not counted} */

@@ -89,7 +89,7 @@ class FullDiskTest {
         Program.Result result = shell(MOUNTED + "{ \"$@\" -o disk/%d.png; echo $?; ls -A disk | tr -d '\\n' | sed 's/[1-7].png//g'; echo; "
             + "mount -o remount,size=9m disk; \"$@\" --resume -o disk/%d.png; echo $?; \"$@\" -o whole.%d.png; "
             + "for f in 0 1 2 3 4 5 6 7; do cmp disk/$f.png whole.$f.png; done; ls -A disk | wc -l; }",
-            "animate rough.scene --size 100x100 --turntable 8".split(" "));
+            "animate rough.scene --size 200x200 --turntable 8".split(" "));
 
         assertThat(result.text()).as(result.err()).isEqualTo("74\n0.png\n0\n8\n");
         assertThat(result.err()).containsPattern("simpleray: disk/[1-7].png: cannot be written: No space left on device")

@@ -131,6 +131,7 @@ public final class TimeLine {
     /** A button shows its action's sign alone, and leaves the keys to the picture. */
     private static AbstractButton button(AbstractButton button) {
         button.setHideActionText(true);
+        button.getAccessibleContext().setAccessibleName((String) button.getAction().getValue(Action.NAME));
         button.setFocusable(false);
         button.putClientProperty("JButton.buttonType", "toolBarButton");
         return button;

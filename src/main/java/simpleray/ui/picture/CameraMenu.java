@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.FileSystemException;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
@@ -18,6 +19,7 @@ import javax.swing.SwingUtilities;
 import simpleray.scene.FreeView;
 import simpleray.scene.Key;
 import simpleray.scene.PerspectiveCamera.Pose;
+import simpleray.scene.SceneFile;
 import simpleray.scene.SceneSettings;
 import simpleray.scene.ViewLines;
 import simpleray.text.SceneFormatException;
@@ -143,15 +145,16 @@ public final class CameraMenu {
     }
 
     private boolean hasKeys() {
-        SceneSettings film = picture.job().snapshot().film().scene().settings;
-        return film.keys != null && film.keys.stream().anyMatch(key -> key.thing().kind() == Key.Kind.CAMERA);
+        SceneFile film = picture.job().snapshot().film();
+        List<Key> keys = film == null ? null : film.scene().settings.keys;
+        return keys != null && keys.stream().anyMatch(key -> key.thing().kind() == Key.Kind.CAMERA);
     }
 
     /** Makes the view a key of the frame on the screen. */
     private void setKey() {
         SceneSettings view = tool.view();
         RenderJob.Snapshot now = view == null ? null : picture.job().snapshot();
-        if (now == null || now.film().scene().settings.frames == null) {
+        if (now == null || now.film() == null || now.film().scene().settings.frames == null) {
             window.say("Only a film has keys: frames n fps, in the scene's text, makes one");
             return;
         }

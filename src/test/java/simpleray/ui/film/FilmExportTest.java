@@ -93,8 +93,8 @@ class FilmExportTest {
             assertThat(out).doesNotExist();
             assertThat(folder.resolve("film.gif.frames/000000.png")).exists();
 
-            FileDialog again = export(window);
-            again.enter(out);
+            OpenWindow.later(() -> window.item("Export Film\u2026").doClick());
+            new FileDialog(window.screen).enter(out);
             window.screen.click(OpenWindow.appears("Cancel", JButton.class, button -> "Cancel".equals(button.getText())
                 && SwingUtilities.getAncestorOfClass(JOptionPane.class, button) != null));
         }

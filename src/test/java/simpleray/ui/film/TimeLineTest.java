@@ -99,7 +99,8 @@ class TimeLineTest {
             assertThat(number()).isEqualTo("Frame 11 of 0\u201311");
             window.screen.press(KeyEvent.VK_ALT, KeyEvent.VK_PAGE_UP);
             window.untilShown("frame 10", frame(film, 10));
-            window.screen.click(OpenWindow.ask(() -> OpenWindow.seen(JButton.class, button -> "First Frame".equals(button.getText()))));
+            window.screen.click(OpenWindow.appears("the button", JButton.class,
+                button -> "First Frame".equals(button.getAccessibleContext().getAccessibleName())));
             window.untilShown("the first frame again", frame(film, 0));
         }
     }
@@ -187,8 +188,9 @@ class TimeLineTest {
             window.untilState(RenderJob.State.FINISHED);
             double away = OpenWindow.ask(() -> window.picture().request().settings().camera.ez());
             window.screen.press(KeyEvent.VK_K);
-            Screen.until("it is written", () -> window.status().startsWith("Set the camera's key at frame 4 in "));
-            assertThat(Files.readString(film)).contains("\nkey 4 camera 0.0 0.0 " + away + " 0.0 0.0 ").contains("\nkey 9 camera 0 0 3  0 0 0  50\n");
+            Screen.until("its mark is there", () -> slider.getLabelTable().get(4) != null && slider.getLabelTable().get(9) != null
+                && slider.getToolTipText().contains("camera (2)"));
+            assertThat(Files.readString(film)).contains("\nkey 4 camera 0 0 " + away + " 0 0 ").contains("\nkey 9 camera 0 0 3  0 0 0  50\n");
             window.untilShown("frame 4, with the key", frame(film, 4));
             assertThat(OpenWindow.ask(() -> window.picture().request().settings().camera)).isNull();
         }
