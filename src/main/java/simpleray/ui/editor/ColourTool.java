@@ -14,7 +14,8 @@ import simpleray.text.NumberParser;
 
 /** Shows the colours of the text, each by a bar below its numbers, and lets the user pick others. For the event thread. */
 final class ColourTool {
-    private static final int BAR = 4;
+    /** The least height of a bar; else it fills the room below the numbers, so that their points are seen. */
+    private static final int MIN_BAR = 3;
     private static final int COUNT = 3;
     private static final double LEVELS = 255;
     /** Decimals that tell each of the levels from its neighbours. */
@@ -51,10 +52,12 @@ final class ColourTool {
                     end = area.modelToView2D(area.values().end(i++)).getBounds();
                     bar.width = end.x - bar.x;
                 } while (i < red + COUNT && area.modelToView2D(area.values().start(i)).getBounds().y == bar.y);
+                int high = Math.max(MIN_BAR, area.getFontMetrics(area.getFont()).getDescent() - 1);
+                int bottom = bar.y + bar.height;
                 g.setColor(colour);
-                g.fillRect(bar.x, bar.y + bar.height - BAR, bar.width, BAR);
-                g.setColor(area.getForeground());
-                g.drawRect(bar.x, bar.y + bar.height - BAR, bar.width - 1, BAR - 1);
+                g.fillRect(bar.x, bottom - high, bar.width, high);
+                g.setColor(Color.GRAY);                       // seen on any paper
+                g.fillRect(bar.x, bottom - 1, bar.width, 1);
             }
         } catch (BadLocationException e) {
             throw new IllegalStateException(e);               // the values are of this text
