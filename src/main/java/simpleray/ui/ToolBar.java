@@ -25,7 +25,7 @@ final class ToolBar extends JToolBar {
         new String[] {"Save Picture As\u2026", "Save"}, new String[0], new String[] {"Original Scene", "Original"},
         new String[] {"With Lighting", "Lighting"}, new String[] {"With Shadows and Reflections", "Final"}, new String[0],
         new String[] {"Story of the Pixel", "Story"}, new String[] {"Rays", "Rays"}, new String[] {"Scene Text", "Text"}, new String[0],
-        new String[] {"Side by Side", "Compare"}, new String[] {"Pause", "Pause"});
+        new String[] {"Side by Side", "Compare"}, new String[] {"Pause", "Pause"}, new String[] {"Play Film", "Play"});
 
     ToolBar(JMenuBar menus) {
         setName("tools");
