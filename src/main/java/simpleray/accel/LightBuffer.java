@@ -18,6 +18,11 @@ public final class LightBuffer {
     private static final long LISTED_ANYWAY = 1 << 18;
     /** Longer lists are no faster than a tree, since they fit into no cache. */
     private static final long MAX_LISTED = 1 << 22;
+    /**
+     * The longest lists, as the mean over all primitives of the list in which they stand: a ray walks them to their end. Of twelve scenes those with
+     * up to 58 were rendered faster with lists, by a third at 58, and those with 104 or more without, four times faster at 400.
+     */
+    private static final int MAX_CROWD = 80;
     /** The largest distance of the point from the middle, in extents. */
     private static final double MAX_DISTANCE = 1e4;
     /** The number of primitives, mostly neighbours, whose common box is seen where a rough answer is enough. */
@@ -92,7 +97,7 @@ public final class LightBuffer {
      * @param x the point
      * @param y the point
      * @param z the point
-     * @return the buffer; null if its lists would be too long, or the point is too far away
+     * @return the buffer; null if its lists would be too long or too crowded, or the point is too far away
      */
     public static LightBuffer of(PrimitiveBounds bounds, double x, double y, double z) {
         double[] point = {(x - bounds.middle[0]) / bounds.extent, (y - bounds.middle[1]) / bounds.extent,
@@ -135,9 +140,14 @@ public final class LightBuffer {
                 return null;
             }
             int sum = 0;                                      // turns counts into ends of lists
+            double squares = 0;
             for (int cell = 0; cell < starts.length; cell++) {
+                squares += (double) starts[cell] * starts[cell];
                 sum += starts[cell];
                 starts[cell] = sum;
+            }
+            if (squares > (double) MAX_CROWD * sum) {
+                return null;
             }
             lists = new int[2 * sum];
             Arrays.sort(nearest);

@@ -65,6 +65,17 @@ class LightBufferTest {
         assertThat(listed).as("few others are listed").isLessThan(5000L * Math.max(9, count / 4));
     }
 
+    /** As from a lamp, a small tree on a wide ground: nearly all lists have the ground alone, and a few have the tree. */
+    @Test
+    void aCrowdInFewDirectionsHasNoLists() {
+        double[][] boxes = Boxes.random(new Random(SEED), 2000, 0.01);
+        double[][] withGround = Arrays.copyOf(boxes, boxes.length + 1);
+        withGround[boxes.length] = new double[] {-300, -2, -300, 300, -1, 300};
+
+        assertThat(LightBuffer.of(Boxes.bounds(withGround), -50, 50, 500)).isNull();
+        assertThat(LightBuffer.of(Boxes.bounds(boxes), -50, 50, 500)).isNotNull();
+    }
+
     /** A box from 3 to 4 along x, and from 4 to 5 along y. */
     @Test
     void theDistanceOfAPrimitiveIsThatOfItsNearestCorner() {
