@@ -92,7 +92,8 @@ final class ImportCommand implements Callable<Integer> {
         }
         String obj = beside(base + ".obj");
         String mtl = scene.facets().areColourful() ? beside(base + ".mtl") : null;
-        try (AtomicFile objFile = TextOutput.begin(obj, main.err()); AtomicFile mtlFile = mtl == null ? null : TextOutput.begin(mtl, main.err());
+        try (AtomicFile objFile = TextOutput.begin(obj, main.err());
+            AtomicFile mtlFile = mtl == null ? null : TextOutput.begin(mtl, main.err());
             AtomicFile sceneFile = TextOutput.begin(output, main.err())) {
             fill(objFile, os -> scene.writeObj(os, base + ".mtl"));
             if (mtlFile != null) {

@@ -223,7 +223,8 @@ final class ForeignText {
         from += from > place.start && Character.isLowSurrogate(text.charAt(from)) ? 1 : 0;
         int to = Math.min(endOfLine(place.at), place.at + CONTEXT);
         int begins = text.codePointCount(place.start, from) + 1;
-        return new Diagnostic(file, place.line, begins + text.codePointCount(from, place.at), error, message, text.substring(from, to), begins);
+        int column = begins + text.codePointCount(from, place.at);
+        return new Diagnostic(file, place.line, column, error, message, text.substring(from, to), begins);
     }
 
     private int endOfLine(int from) {

@@ -21,7 +21,7 @@ import simpleray.scene.Triangle;
 import simpleray.text.SceneFormatException;
 
 /**
- * Reads Eric Haines' Neutral File Format (NFF 3.1, of the Standard Procedural Databases). Words may be parted by any white space; the colour
+ * Reads Eric Haines' Neutral File Format, that of the Standard Procedural Databases. Words may be parted by any white space; the colour
  * of a light stands on its line:
  * <pre>
  * v from x y z  at x y z  up x y z  angle a  hither h  resolution w h      the view
@@ -302,7 +302,8 @@ final class NffReader {
         if (aimless) {
             text.warn(polygon, "changed: without normals, since one of them is 0 0 0");
         }
-        List<Triangle> cut = scene.facets.add(own, Arrays.copyOf(vertices, 3 * count), aimless || !smooth ? null : Arrays.copyOf(normals, 3 * count),
+        double[] kept = aimless || !smooth ? null : Arrays.copyOf(normals, 3 * count);
+        List<Triangle> cut = scene.facets.add(own, Arrays.copyOf(vertices, 3 * count), kept,
             () -> text.warn(polygon, "changed: crosses itself, and so is the fan from its first corner"));
         if (cut.isEmpty()) {
             text.warn(polygon, "left out: a polygon without area");
@@ -317,8 +318,8 @@ final class NffReader {
         Point[] corners = new Point[4];
         for (int i = 0; i < corners.length; i++) {
             Vector ray = camera.forward();
-            ray.add(Vector.scale(camera.right(), i % 2 - 0.5));
-            ray.add(Vector.scale(camera.up(), i / 2 - 0.5));
+            ray.add(Vector.scale(camera.right(), i % 2 == 0 ? -0.5 : 0.5));
+            ray.add(Vector.scale(camera.up(), i < 2 ? -0.5 : 0.5));
             corners[i] = Point.add(eye, Vector.scale(ray, hither));
         }
         Bounds near = Bounds.of(eye, corners);

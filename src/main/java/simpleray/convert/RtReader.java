@@ -14,8 +14,8 @@ import simpleray.scene.Triangle;
 import simpleray.text.SceneFormatException;
 
 /**
- * Reads the scenes of miniRT, a course project of the schools of 42. A line is a thing; three numbers with commas between them are a point, a direction or a
- * colour from 0 to 255:
+ * Reads the scenes of miniRT, a course project of the schools of 42. A line is a thing; three numbers with commas between them are a point,
+ * a direction or a colour from 0 to 255:
  * <pre>
  * R width height                                   the picture's size (in older scenes)
  * A ratio colour                                   the ambient light
