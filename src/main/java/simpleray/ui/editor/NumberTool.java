@@ -146,7 +146,8 @@ final class NumberTool {
         if (sum.signum() != 0 && Math.abs(sum.precision() - sum.scale() - 1) > MAX_EXPONENT) {
             return sum.toString();
         }
-        return sum.setScale(Math.max(sum.scale(), Math.max(0, Math.min(number.scale(), MAX_EXPONENT))), RoundingMode.UNNECESSARY).toPlainString();
+        int least = Math.max(0, Math.min(number.scale(), MAX_EXPONENT));
+        return sum.setScale(Math.max(sum.scale(), least), RoundingMode.UNNECESSARY).toPlainString();
     }
 
     private void end() {

@@ -7,7 +7,10 @@ import javax.swing.SwingUtilities;
 import simpleray.render.Explainer;
 import simpleray.scene.RayTree;
 
-/** Lights up an object in the picture by its outline, so that its colours stay as they are. It finds on a thread of its own which pixels show it. For the event thread. */
+/**
+ * Lights up an object in the picture by its outline, so that its colours stay as they are. It finds on a thread of its own which pixels
+ * show it. For the event thread.
+ */
 public final class ObjectOutline {
     /** The most pixels that are asked for their object; in a larger picture each stands for some. */
     private static final int MAX_ASKED = 400_000;
