@@ -280,7 +280,7 @@ public record Orbit(double x, double y, double z, double yaw, double pitch, doub
     }
 
     private static boolean isFaultless(SceneSettings free) {
-        return (free.parallel == null ? free.camera.fault() : free.parallel.fault()) == null;
+        return (free.parallel == null ? free.camera.fault() : free.parallel.fault()) == null && !free.isUpAlongView();
     }
 
     private static double sin(double degrees) {

@@ -136,7 +136,8 @@ public final class SceneSettings {
         return camera != null || parallel != null;
     }
 
-    private boolean isUpAlongView() {
+    /** {@return whether up is along the view, which makes no camera} */
+    boolean isUpAlongView() {
         return camera != null && camera.isAlong(up) || parallel != null && parallel.isAlong(up);
     }
 
