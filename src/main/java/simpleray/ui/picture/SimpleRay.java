@@ -149,7 +149,7 @@ public final class SimpleRay extends ZoomedComponent implements Runnable {
             List<String> asked = CommandWords.options(RenderJob.sized(request, last.snapshot().scene(), side()));
             for (Finished picture : finished) {
                 RenderJob.Snapshot whole = picture.snapshot.get();
-                if (whole != null && whole.isOfSceneOf(last.snapshot()) && picture.options.equals(asked)) {
+                if (whole != null && whole.frame() == frame && whole.isOfSceneOf(last.snapshot()) && picture.options.equals(asked)) {
                     showAgain(new RenderJob(last, request, picture.job, whole), whole);
                     return;
                 }
