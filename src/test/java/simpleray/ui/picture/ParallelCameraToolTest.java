@@ -66,7 +66,7 @@ class ParallelCameraToolTest {
         assertView(0, -5, 0, 0, 0, 0, 5.4);
         mouse.wheel(1);
         mouse.wheel(1);
-        assertView(0, -5, 0, 0, 0, 0, 6 / 0.9);
+        assertView(0, -5, 0, 0, -1, 0, 6 / 0.9);         // what is in the middle is the pivot by now
     }
 
     @Test
