@@ -74,7 +74,24 @@ public final class ViewLines {
      */
     public static byte[] put(byte[] bytes, Path path, SceneSettings view, Reach reach) throws IOException {
         ViewLines file = new ViewLines(bytes);
-        file.edit(read(bytes, path, reach), of(view).lines().toList());
+        file.edit(read(bytes, path, reach), of(view).lines().toList(), true);
+        return file.edited();
+    }
+
+    /**
+     * Writes settings that are not of the camera into a scene file, as the other method does; those that are not given stay as they are.
+     *
+     * @param bytes the file's bytes
+     * @param path the file, for messages and for the OBJ files beside it
+     * @param settings the settings, each of numbers alone
+     * @param reach the OBJ files that the scene may name
+     * @return the bytes of the changed file
+     * @throws simpleray.text.SceneFormatException if the file is no scene
+     * @throws IOException if a file that the scene names cannot be read
+     */
+    public static byte[] putSettings(byte[] bytes, Path path, SceneSettings settings, Reach reach) throws IOException {
+        ViewLines file = new ViewLines(bytes);
+        file.edit(read(bytes, path, reach), settings.lines().lines().toList(), false);
         return file.edited();
     }
 
@@ -163,10 +180,11 @@ public final class ViewLines {
         return start;
     }
 
-    private void edit(SceneSettings old, List<String> wanted) throws IOException {
+    private void edit(SceneSettings old, List<String> wanted, boolean camera) throws IOException {
         List<String> lines = new ArrayList<>(wanted);
         List<String> gone = new ArrayList<>(old.places.keySet());
-        gone.removeIf(keyword -> !Setting.of(keyword).isOfCamera());
+        gone.removeIf(keyword -> camera ? !Setting.of(keyword).isOfCamera()
+            : wanted.stream().noneMatch(line -> line.startsWith(keyword + " ")));
         gone.sort(Comparator.comparingLong(keyword -> old.places.get(keyword).start()));
         for (String line : wanted) {
             String keyword = line.split(" ", 2)[0];

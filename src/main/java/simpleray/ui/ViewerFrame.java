@@ -27,6 +27,7 @@ import simpleray.ui.file.SceneWatcher;
 import simpleray.ui.film.TimeLine;
 import simpleray.ui.inspect.Inspector;
 import simpleray.ui.picture.CameraMenu;
+import simpleray.ui.picture.PictureSettings;
 import simpleray.ui.picture.RenderJob;
 import simpleray.ui.picture.SceneReport;
 import simpleray.ui.picture.SimpleRay;
@@ -96,7 +97,9 @@ final class ViewerFrame extends JFrame implements EditorContext {
         pictured.add(camera.line(), BorderLayout.SOUTH);
         pictured.setMinimumSize(new Dimension());
         beside.setLeftComponent(pictured);
-        menus = new ViewerMenus(picture, dialogs, desktop, new SceneMenu(document, problems), inspector, comparison, camera, timeLine, this::close);
+        PictureSettings settings = new PictureSettings(this, document::show, document::text, document::replace);
+        menus = new ViewerMenus(picture, dialogs, desktop, new SceneMenu(document, problems), inspector, comparison, camera, timeLine,
+            settings, this::close);
         setJMenuBar(menus.bar());
         add(new ToolBar(menus.bar()).above(banner), BorderLayout.NORTH);
         add(inspector.beside(split), BorderLayout.CENTER);

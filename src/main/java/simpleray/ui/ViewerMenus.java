@@ -15,6 +15,7 @@ import simpleray.ui.editor.SceneMenu;
 import simpleray.ui.film.TimeLine;
 import simpleray.ui.inspect.Inspector;
 import simpleray.ui.picture.CameraMenu;
+import simpleray.ui.picture.PictureSettings;
 import simpleray.ui.picture.SimpleRay;
 import simpleray.ui.picture.ZoomTool;
 import simpleray.ui.widget.KeyBindings;
@@ -34,7 +35,8 @@ final class ViewerMenus {
     private final Comparison comparison;
 
     ViewerMenus(SimpleRay picture, PictureDialogs dialogs, DesktopActions desktop, SceneMenu scene, Inspector inspector,
-                Comparison comparison, CameraMenu camera, TimeLine timeLine, Runnable quit) {
+                Comparison comparison, CameraMenu camera, TimeLine timeLine, PictureSettings settings,
+                Runnable quit) {
         this.picture = picture;
         this.desktop = desktop;
         this.scene = scene;
@@ -95,6 +97,7 @@ final class ViewerMenus {
         run.add(cancel);
         run.addSeparator();
         timeLine.addTo(run);
+        settings.addTo(run);
         bar.add(scene.menu());
         bar.add(comparison.menu());
         bar.add(camera.menu());

@@ -58,7 +58,8 @@ class ViewerMenusTest {
     void theRenderMenuPausesCancelsAndPlaysFilms() {
         assertThat(items(opened("Render"))).containsExactly("Pause pressed SPACE", "Cancel pressed ESCAPE", "Play Film pressed P",
             "First Frame alt pressed HOME", "Previous Frame alt pressed PAGE_UP", "Next Frame alt pressed PAGE_DOWN",
-            "Last Frame alt pressed END", "Loop Film shift pressed P");
+            "Last Frame alt pressed END", "Loop Film shift pressed P", "Size null", "Samples null", "Depth null", "As in the Scene null",
+            "Write into the Scene null");
     }
 
     @Test

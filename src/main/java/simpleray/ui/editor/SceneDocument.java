@@ -108,8 +108,12 @@ public final class SceneDocument {
         }
     }
 
-    /** Shows the text, and then does something with it, unless it cannot be had. */
-    private void show(Runnable then) {
+    /**
+     * Shows the text, and then does something with it, unless it cannot be had.
+     *
+     * @param then what to do
+     */
+    public void show(Runnable then) {
         if (source == SceneSource.NONE) {
             return;
         }

@@ -1,0 +1,179 @@
+package simpleray.ui.picture;
+
+import java.awt.event.KeyEvent;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.Executor;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+import javax.swing.JMenu;
+import javax.swing.JMenuItem;
+import javax.swing.JOptionPane;
+import javax.swing.JRadioButtonMenuItem;
+import javax.swing.SwingUtilities;
+import javax.swing.event.MenuEvent;
+import javax.swing.event.MenuListener;
+import simpleray.render.RenderRequest;
+import simpleray.scene.SceneSettings;
+import simpleray.scene.Setting;
+import simpleray.scene.ViewLines;
+import simpleray.ui.file.SceneSource;
+import simpleray.ui.widget.KeyBindings;
+
+/** The size of the picture, its samples and its depth, chosen in the Render menu, and written into the scene on request. */
+public final class PictureSettings {
+    private static final List<Setting<?>> ALL = List.of(Setting.RESOLUTION, Setting.SAMPLES, Setting.DEPTH);
+    private static final String TITLE = "Picture";
+
+    private final ViewerContext window;
+    private final SimpleRay picture;
+    private final Supplier<String> text;
+    private final Consumer<String> replacement;
+    private final Consumer<Runnable> opener;
+    private final Executor writer;
+    private final Map<JMenuItem, Choice> choices = new LinkedHashMap<>();
+
+    /** A value of a setting, as the command line has it. */
+    private record Choice(Setting<?> setting, String value) {
+    }
+
+    /**
+     * Creates the items.
+     *
+     * @param window the window
+     * @param opener shows the scene's text, and then runs a task
+     * @param text supplies the scene's text as it is edited
+     * @param replacement takes the text with other settings in it
+     */
+    public PictureSettings(ViewerContext window, Consumer<Runnable> opener, Supplier<String> text, Consumer<String> replacement) {
+        this.window = window;
+        this.opener = opener;
+        this.text = text;
+        this.replacement = replacement;
+        picture = window.picture();
+        writer = window.workers().finishing("simpleray-settings");
+    }
+
+    /**
+     * Adds the items.
+     *
+     * @param menu the menu, whose items are ticked when it opens
+     */
+    public void addTo(JMenu menu) {
+        JMenu size = choices("Size", KeyEvent.VK_Z, Setting.RESOLUTION, "320x240", "640x480", "800x600", "1280x960", "1920x1080");
+        size.add(KeyBindings.action("Other\u2026", null, this::askForSize));
+        menu.addSeparator();
+        menu.add(size);
+        menu.add(choices("Samples", KeyEvent.VK_S, Setting.SAMPLES, "1", "2", "3", "4", "8"));
+        menu.add(choices("Depth", KeyEvent.VK_D, Setting.DEPTH, "0", "1", "2", "5", "10", "30"));
+        menu.add(KeyBindings.action("As in the Scene", null, () -> set(this::reset)));
+        menu.add(KeyBindings.action("Write into the Scene", null, () -> opener.accept(this::write)));
+        menu.addMenuListener(new MenuListener() {
+            @Override
+            public void menuSelected(MenuEvent e) {
+                choices.forEach((item, choice) -> item.setSelected(choice.value.equals(now(choice.setting))));
+            }
+
+            @Override
+            public void menuDeselected(MenuEvent e) {
+                // nothing is held
+            }
+
+            @Override
+            public void menuCanceled(MenuEvent e) {
+                // nothing is held
+            }
+        });
+    }
+
+    private JMenu choices(String name, int mnemonic, Setting<?> setting, String... values) {
+        JMenu menu = new JMenu(name);
+        menu.setMnemonic(mnemonic);
+        for (String value : values) {
+            String told = setting == Setting.SAMPLES && !value.equals("1") ? value + " \u00D7 " + value + " a pixel"
+                : setting == Setting.SAMPLES ? "1 a pixel" : value.replace("x", " \u00D7 ");
+            JMenuItem item = new JRadioButtonMenuItem(KeyBindings.action(told, null, () -> set(settings -> setting.parse(value, settings))));
+            choices.put(item, new Choice(setting, value));
+            menu.add(item);
+        }
+        return menu;
+    }
+
+    /** {@return a setting's value in the picture that is shown, as the command line has it; null if there is none} */
+    private String now(Setting<?> setting) {
+        SceneSettings all = picture.job() == null ? null : picture.job().snapshot().settings();
+        return all == null ? null : setting == Setting.RESOLUTION
+            ? Setting.RESOLUTION.in(all).width() + "x" + Setting.RESOLUTION.in(all).height() : String.valueOf(setting.in(all));
+    }
+
+    private void askForSize() {
+        Object answer = JOptionPane.showInputDialog(window.frame(), "Width and height in pixels, such as 640x480:", TITLE,
+            JOptionPane.PLAIN_MESSAGE, null, null, now(Setting.RESOLUTION));
+        if (answer != null) {
+            try {
+                set(settings -> Setting.RESOLUTION.parse(answer.toString().replaceAll("\\s", ""), settings));
+            } catch (IllegalArgumentException e) {
+                tell(e.getMessage());
+            }
+        }
+    }
+
+    private void set(Consumer<SceneSettings> change) {
+        request(change);
+        if (picture.job() != null) {
+            picture.restart();
+        }
+    }
+
+    private void request(Consumer<SceneSettings> change) {
+        RenderRequest old = picture.request();
+        SceneSettings settings = new SceneSettings().under(old.settings());
+        change.accept(settings);
+        boolean adaptive = old.adaptive() && settings.samples == null;
+        picture.setRequest(new RenderRequest(settings, old.stage(), adaptive, old.accel(), old.threads(), old.region(), old.band()));
+    }
+
+    private void reset(SceneSettings settings) {
+        ALL.forEach(setting -> setting.reset(settings));
+    }
+
+    /** Puts what was chosen here, or on the command line, into the text. */
+    private void write() {
+        SceneSettings chosen = new SceneSettings();
+        ALL.forEach(setting -> setting.copy(picture.request().settings(), chosen));
+        if (chosen.lines().isEmpty()) {
+            window.say("The scene has these settings already");
+            return;
+        }
+        SceneSource source = picture.source();
+        String edited = text.get();
+        Path path = source.home() == null ? Path.of("stdin") : source.home();
+        writer.execute(() -> {
+            try {
+                String made = new String(ViewLines.putSettings(edited.getBytes(StandardCharsets.UTF_8), path, chosen, source.reach()),
+                    StandardCharsets.UTF_8);
+                SwingUtilities.invokeLater(() -> take(edited, made));
+            } catch (IOException | RuntimeException e) {
+                String reason = String.valueOf(e.getMessage()).lines().findFirst().orElse("");
+                SwingUtilities.invokeLater(() -> tell("The text is not readable as a scene: " + reason));
+            }
+        });
+    }
+
+    private void take(String edited, String made) {
+        if (edited.equals(text.get())) {
+            request(this::reset);
+            replacement.accept(made);
+        } else {
+            window.say("The text was changed meanwhile: try again");
+        }
+    }
+
+    private void tell(String reason) {
+        JOptionPane.showMessageDialog(window.frame(), reason, TITLE, JOptionPane.ERROR_MESSAGE);
+    }
+}
