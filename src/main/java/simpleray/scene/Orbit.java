@@ -268,6 +268,22 @@ public record Orbit(double x, double y, double z, double yaw, double pitch, doub
         return nearest > distance / SOUND && nearest < distance * SOUND ? sound(moved(behind(ahead), nearest)) : this;
     }
 
+    /**
+     * Turns the camera until it looks at a point, its new pivot; a parallel one is moved instead.
+     *
+     * @param point the point
+     * @return the turned camera; this one if it cannot look there
+     */
+    public Orbit lookingAt(Point point) {
+        if (isParallel()) {
+            return sound(new Orbit(point.x, point.y, point.z, yaw, pitch, distance, fov, height, up));
+        }
+        SceneSettings free = settings();
+        Pose eye = free.camera;
+        free.camera = new Pose(eye.ex(), eye.ey(), eye.ez(), point.x, point.y, point.z, fov);
+        return free.camera.fault() == null && !free.camera.isAlong(up) ? sound(of(free)) : this;
+    }
+
     private Orbit moved(Vector by, double newDistance) {
         return new Orbit(x + by.x, y + by.y, z + by.z, yaw, pitch, newDistance, fov, height, up);
     }

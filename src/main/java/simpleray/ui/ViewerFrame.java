@@ -101,6 +101,7 @@ final class ViewerFrame extends JFrame implements EditorContext {
         menus = new ViewerMenus(picture, dialogs, desktop, new SceneMenu(document, problems), inspector, comparison, camera, timeLine,
             settings, this::close);
         setJMenuBar(menus.bar());
+        PixelMenu.install(this, inspector, document, camera);
         add(new ToolBar(menus.bar()).above(banner), BorderLayout.NORTH);
         add(inspector.beside(split), BorderLayout.CENTER);
         add(status, BorderLayout.SOUTH);

@@ -32,6 +32,13 @@ class OrbitTest {
     }
 
     @Test
+    void itLooksAtAnotherPointFromWhereItIsAndAParallelOneMovesThere() {
+        assertPose(Orbit.of(FRONT).lookingAt(new Point(4, 2, 8)).pose(), new Pose(1, 2, 8, 4, 2, 8, 90));
+        assertPose(new Orbit(1, 2, 3, 0, 0, 5, 0, 2, null).lookingAt(new Point(2, 4, 6)).pose(), new Pose(2, 4, 11, 2, 4, 6, 0));
+        assertThat(Orbit.of(FRONT).lookingAt(new Point(1, 2, 8))).as("its own eye").isEqualTo(Orbit.of(FRONT));
+    }
+
+    @Test
     void aFullTurnReturnsHoweverManySteps() {
         Orbit slanted = Orbit.of(new Pose(4, 6, 3, 1, 2, -5, 40));
         Orbit turned = slanted;

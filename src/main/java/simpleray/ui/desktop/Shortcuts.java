@@ -23,6 +23,7 @@ public final class Shortcuts {
     public static final List<Shortcut> GESTURES = List.of(
         new Shortcut("Picture", "Tell a pixel's values", "Point at it"),
         new Shortcut("Picture", "Tell a pixel's story", "Click"),
+        new Shortcut("Picture", "Show a menu about a pixel", "Right button"),
         new Shortcut("Picture", "Zoom about the cursor", "Ctrl+Wheel"),
         new Shortcut("Picture", "Scroll", "Wheel, Shift+Wheel, Ctrl+Arrows"),
         new Shortcut("Picture", "Render a rectangle first", "Shift+Drag"),

@@ -142,10 +142,7 @@ public final class Inspector {
             public void mouseClicked(MouseEvent e) {
                 Point pixel = picture.pixelAt(e.getPoint());
                 if (pixel != null && e.getButton() == MouseEvent.BUTTON1 && (e.getModifiersEx() & OTHER_KEYS) == 0) {
-                    picture.requestFocusInWindow();
-                    setCursor(pixel);
-                    storyWanted = true;
-                    tell(false);
+                    explain(pixel);
                 }
             }
         };
@@ -154,6 +151,47 @@ public final class Inspector {
         picture.setMark(this::paintCursor);
         picture.setGrip(this::isGrip);
         picture.setSpare(DIVIDER + StoryPane.WIDTH, picture.spare().height);
+    }
+
+    /**
+     * Shows the story of a pixel.
+     *
+     * @param pixel the pixel
+     */
+    public void explain(Point pixel) {
+        picture.requestFocusInWindow();
+        setCursor(pixel);
+        storyWanted = true;
+        tell(false);
+    }
+
+    /**
+     * Shows the rays of a pixel.
+     *
+     * @param pixel the pixel
+     */
+    public void showRays(Point pixel) {
+        setCursor(pixel);
+        raysItem.setSelected(true);
+        tell(false);
+    }
+
+    /**
+     * Finds the object at a pixel.
+     *
+     * @param pixel the pixel
+     * @param then gets the object; null for none
+     */
+    public void find(Point pixel, Consumer<RayTree.Thing> then) {
+        RenderJob job = picture.job();
+        teller.execute(() -> {
+            try {
+                RayTree.Thing thing = explainer(job).objectAt(pixel.x, pixel.y);
+                SwingUtilities.invokeLater(() -> then.accept(thing));
+            } catch (CancellationException e) {
+                return;                                       // the next rendering has begun: the pixel may be of another thing by now
+            }
+        });
     }
 
     /** {@return a menu about single pixels} */

@@ -1,5 +1,6 @@
 package simpleray.ui.picture;
 
+import java.awt.Point;
 import java.awt.Toolkit;
 import java.awt.datatransfer.StringSelection;
 import java.awt.event.KeyEvent;
@@ -87,6 +88,15 @@ public final class CameraMenu {
     /** {@return the menu} */
     public JMenu menu() {
         return menu;
+    }
+
+    /**
+     * Turns the camera until what a pixel shows is in the middle.
+     *
+     * @param pixel the pixel
+     */
+    public void lookAt(Point pixel) {
+        tool.lookAt(pixel);
     }
 
     /** Lets go of the moves: another scene comes. */
@@ -185,7 +195,7 @@ public final class CameraMenu {
 
     /** Writes the view into the text beside the picture, in which something may be typed that the file does not have. */
     private void putIntoText(SceneSource source, String edited, ViewLines.Change change) {
-        Path path = source.path() == null ? Path.of(source.name().replaceAll("[<>]", "")) : source.path();
+        Path path = source.home() == null ? Path.of(source.name().replaceAll("[<>]", "")) : source.home();
         writer.execute(() -> {
             String put = null;
             String failure = null;

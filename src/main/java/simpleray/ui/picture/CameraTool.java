@@ -139,6 +139,14 @@ final class CameraTool extends MouseAdapter {
         aimed = false;
     }
 
+    /** Looks at what a pixel shows, or that way if it is no object. */
+    void lookAt(Point pixel) {
+        fresh = true;
+        Dimension size = picture.imageSize();
+        move(o -> scene == null ? o : o.lookingAt(o.seenAt(scene, size.width, size.height, pixel.x + 0.5, pixel.y + 0.5)));
+        aimed = true;
+    }
+
     /** Goes back to the scene's own camera. */
     void reset() {
         if (isMoved()) {

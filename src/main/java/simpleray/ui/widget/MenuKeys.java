@@ -28,8 +28,7 @@ public final class MenuKeys {
         MenuSelectionManager menus = MenuSelectionManager.defaultManager();
         boolean[] open = new boolean[1];
         ChangeListener listener = e -> {
-            MenuElement[] path = menus.getSelectedPath();
-            boolean now = path.length > 0 && path[0] == bar;
+            boolean now = menus.getSelectedPath().length > 0;   // this bar's or a menu on the picture
             if (now != open[0]) {
                 open[0] = now;
                 setResting(bar, now);
