@@ -16,7 +16,6 @@ import simpleray.convert.ImportedScene;
 import simpleray.io.AtomicFile;
 import simpleray.io.InputFile;
 import simpleray.io.OutputTarget;
-import simpleray.text.Diagnostic;
 import simpleray.text.SceneFormatException;
 import simpleray.text.SceneWriter;
 

@@ -25,7 +25,7 @@ public final class Facets {
     private static final int MIN_CORNERS = 3;
 
     private final List<Facet> facets = new ArrayList<>();
-    private final Map<Material, Integer> materials = new IdentityHashMap<>();   // their numbers in OBJ and MTL, from 1
+    private final IdentityHashMap<Material, Integer> materials = new IdentityHashMap<>();   // their numbers in OBJ and MTL, from 1
     private final EarClipper clipper = new EarClipper();
     private int polygons;
     private boolean smooth;

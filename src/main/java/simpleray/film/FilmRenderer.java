@@ -365,7 +365,7 @@ public final class FilmRenderer {
     }
 
     private void count(RenderStats frame) {
-        counted &= frame.rays() != null;
+        counted = counted && frame.rays() != null;
         if (counted) {
             rays.add(frame.rays());
         }

@@ -215,6 +215,7 @@ class RendererTransparentTest {
     }
 
     private static String story(String text, int samples) throws IOException {
-        return StoryText.of(renderer(text, 1, Stage.FINAL, samples, Accel.AUTO, 1).explainer().story(0, 0), scene(text), new SimpleCamera(1, 1));
+        PixelStory pixel = renderer(text, 1, Stage.FINAL, samples, Accel.AUTO, 1).explainer().story(0, 0);
+        return StoryText.of(pixel, scene(text), new SimpleCamera(1, 1));
     }
 }

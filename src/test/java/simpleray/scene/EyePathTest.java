@@ -16,7 +16,8 @@ class EyePathTest {
     /** A floor at y = 0. */
     private final Scene floor = scene(new Plane(new Material(), new Vector(0, 1, 0), 0));
     /** That floor and a wall at x = 5. */
-    private final Scene corner = scene(new Plane(new Material(), new Vector(0, 1, 0), 0), new Plane(new Material(), new Vector(1, 0, 0), 5));
+    private final Scene corner = scene(new Plane(new Material(), new Vector(0, 1, 0), 0),
+        new Plane(new Material(), new Vector(1, 0, 0), 5));
 
     @Test
     void aFreeWayIsGoneToItsEnd() {

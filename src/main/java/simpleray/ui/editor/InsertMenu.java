@@ -8,6 +8,7 @@ import java.math.BigDecimal;
 import java.math.MathContext;
 import java.math.RoundingMode;
 import java.nio.charset.StandardCharsets;
+import java.util.List;
 import java.util.function.BiFunction;
 import javax.swing.JMenu;
 import simpleray.math.Colour;
@@ -122,8 +123,8 @@ final class InsertMenu {
             one.write(os);
             os.flush();
             boolean object = one.getNumberObjects() > 0;
-            String[] lines = bytes.toString(StandardCharsets.UTF_8).split("\n");
-            return lines[object ? 2 : lines.length - 1].strip();      // after a comment and the count, or last
+            List<String> lines = bytes.toString(StandardCharsets.UTF_8).lines().toList();
+            return lines.get(object ? 2 : lines.size() - 1).strip();  // after a comment and the count, or last
         } catch (IOException e) {
             throw new UncheckedIOException(e);                // does not happen in memory
         }

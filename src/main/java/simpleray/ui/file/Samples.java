@@ -1,6 +1,7 @@
 package simpleray.ui.file;
 
 import java.io.IOException;
+import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.net.JarURLConnection;
 import java.net.URISyntaxException;
@@ -34,7 +35,11 @@ public final class Samples {
 
     /** {@return a small scene to begin with, which has no file; its meshes are to lie in the working directory} */
     public static SceneSource template() {
-        return new UntitledSource(Path.of("untitled.scene"), () -> Samples.class.getResourceAsStream(NEW).readAllBytes());
+        return new UntitledSource(Path.of("untitled.scene"), () -> {
+            try (InputStream in = Samples.class.getResourceAsStream(NEW)) {
+                return in.readAllBytes();
+            }
+        });
     }
 
     private static SceneSource source(Path file) {

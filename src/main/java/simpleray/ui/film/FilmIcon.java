@@ -39,7 +39,7 @@ enum FilmIcon implements Icon {
     @Override
     public void paintIcon(Component c, Graphics g, int x, int y) {
         Path2D path = new Path2D.Double();
-        String[] words = way.split(" ");
+        String[] words = way.split(" ", -1);
         for (int i = 0; i < words.length; i++) {
             switch (words[i].charAt(0)) {
                 case 'M' -> path.moveTo(Double.parseDouble(words[i].substring(1)), Double.parseDouble(words[++i]));

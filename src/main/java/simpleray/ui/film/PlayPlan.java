@@ -54,12 +54,12 @@ final class PlayPlan {
 
     /** Notes how long a frame took. */
     synchronized void took(long nanoseconds, int divisor) {
-        double now = nanoseconds / (double) (bytes(divisor) / Integer.BYTES);
+        double now = (double) nanoseconds * Integer.BYTES / bytes(divisor);
         perPixel = perPixel < 0 ? now : (perPixel + now) / 2;
     }
 
     private double seconds(int divisor) {
-        return Math.max(0, perPixel) * (bytes(divisor) / Integer.BYTES) / SECOND;
+        return Math.max(0, perPixel) * bytes(divisor) / Integer.BYTES / SECOND;
     }
 
     /** {@return the finest divisor with which frames are ready in time and fit; the coarsest before anything was measured} */

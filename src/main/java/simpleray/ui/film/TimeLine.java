@@ -198,6 +198,7 @@ public final class TimeLine {
      *
      * @param job the rendering
      */
+    @SuppressWarnings("ReferenceEquality")                    // the very scene and request, not ones like them
     public void update(RenderJob job) {
         RenderJob.Snapshot now = job.snapshot();
         if (isPlaying() && job != known) {
@@ -262,6 +263,7 @@ public final class TimeLine {
     }
 
     /** Marks the frames that have keys; those of a key between two frames is the nearest. */
+    @SuppressWarnings("JdkObsolete")                          // JSlider wants a Hashtable
     private void mark() {
         Dictionary<Integer, JComponent> marks = new Hashtable<>();
         TreeMap<String, Integer> counts = new TreeMap<>();

@@ -30,7 +30,6 @@ import simpleray.rays.RaySegment;
 import simpleray.image.Picture;
 import simpleray.render.Explainer;
 import simpleray.render.PixelStory;
-import simpleray.render.Progress;
 import simpleray.rays.StoryText;
 import simpleray.scene.Camera;
 import simpleray.scene.RayTree;

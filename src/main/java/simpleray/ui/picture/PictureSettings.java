@@ -96,7 +96,8 @@ public final class PictureSettings {
         for (String value : values) {
             String told = setting == Setting.SAMPLES && !value.equals("1") ? value + " \u00D7 " + value + " a pixel"
                 : setting == Setting.SAMPLES ? "1 a pixel" : value.replace("x", " \u00D7 ");
-            JMenuItem item = new JRadioButtonMenuItem(KeyBindings.action(told, null, () -> set(settings -> setting.parse(value, settings))));
+            JMenuItem item = new JRadioButtonMenuItem(KeyBindings.action(told, null,
+                () -> set(settings -> setting.parse(value, settings))));
             choices.put(item, new Choice(setting, value));
             menu.add(item);
         }

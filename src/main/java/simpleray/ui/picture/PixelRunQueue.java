@@ -34,7 +34,7 @@ public final class PixelRunQueue implements PassListener {
     /** Sets the counter of rows, how many pixels a row has, and how many samples a pixel. Call before rendering. */
     void count(Progress rows, int pixels, int samples) {
         width = pixels;
-        perPixel = samples == RenderSettings.ADAPTIVE ? 0 : samples * samples;
+        perPixel = samples == RenderSettings.ADAPTIVE ? 0 : (long) samples * samples;
         counter = rows;
     }
 

@@ -205,7 +205,7 @@ public final class SimpleRay extends ZoomedComponent implements Runnable {
     private int side() {
         int room = room();
         if (room > 0 && (zoom().fitted() && !isHeld() || side == 0)) {
-            long pixels = Runtime.getRuntime().maxMemory() / SHARE / Picture.bytesNeeded(1, 1, Picture.RGBA);
+            double pixels = (double) Runtime.getRuntime().maxMemory() / SHARE / Picture.bytesNeeded(1, 1, Picture.RGBA);
             side = Math.max(1, (int) Math.min(room, Math.sqrt(pixels)));
         }
         return side;
@@ -285,6 +285,7 @@ public final class SimpleRay extends ZoomedComponent implements Runnable {
     }
 
     /** Called by the "kicker": shows the runs that were finished since, for a short time at most, and calls the listener. */
+    @SuppressWarnings("ReferenceEquality")                    // the very request, not one like it
     @Override
     public void run() {
         RenderJob.Snapshot now = job.snapshot();              // asked first: if it has ended, no run comes after the last one seen

@@ -59,8 +59,9 @@ public record Zoom(boolean fitted, double scale) {
             screen.setTransform(new AffineTransform());
             screen.translate((double) Math.round(units.getTranslateX()), (double) Math.round(units.getTranslateY()));
             screen.scale(shrunk, shrunk);
+            boolean smooth = scale < 1 || image.getWidth() < width / scale;
             screen.setRenderingHint(RenderingHints.KEY_INTERPOLATION,
-                scale < 1 || image.getWidth() < width / scale ? RenderingHints.VALUE_INTERPOLATION_BILINEAR : RenderingHints.VALUE_INTERPOLATION_NEAREST_NEIGHBOR);
+                smooth ? RenderingHints.VALUE_INTERPOLATION_BILINEAR : RenderingHints.VALUE_INTERPOLATION_NEAREST_NEIGHBOR);
             Rectangle clip = screen.getClipBounds();
             if (scale != Math.rint(scale) || clip == null || image.getWidth() * scale != width) {
                 screen.drawImage(image, x, y, width, height, null);

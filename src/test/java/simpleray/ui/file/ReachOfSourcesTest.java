@@ -83,7 +83,8 @@ class ReachOfSourcesTest {
         FileSource source = new FileSource(scene, Reach.FOLDER);
         assertThatThrownBy(source::read).isInstanceOf(SceneFormatException.class);
 
-        assertThatThrownBy(() -> source.save((bytes, file, reach) -> ViewLines.put(bytes, file, new SceneSettings(), reach))).isInstanceOf(FileSystemException.class)
+        assertThatThrownBy(() -> source.save((bytes, file, reach) -> ViewLines.put(bytes, file, new SceneSettings(), reach)))
+            .isInstanceOf(FileSystemException.class)
             .hasMessage(scene + ": It is not readable as a scene: " + scene + REFUSED);
         assertThat(scene).hasBinaryContent(text);
     }

@@ -23,6 +23,7 @@ import javax.swing.tree.DefaultMutableTreeNode;
 import javax.swing.tree.TreeNode;
 import org.junit.jupiter.api.Test;
 import simpleray.rays.StoryText;
+import simpleray.render.PixelStory;
 import simpleray.render.RenderSettings;
 import simpleray.render.Renderer;
 import simpleray.render.Stage;
@@ -164,6 +165,7 @@ class StoryPaneTest {
     private static List<StoryText.Line> mirrors() throws IOException {
         Scene scene = SceneFile.read(TestScenes.MIRRORS).scene();
         SimpleCamera camera = new SimpleCamera(20, 20);
-        return StoryText.lines(new Renderer(scene, camera, new RenderSettings(Stage.FINAL, 3, 2, 1)).explainer().story(10, 10), scene, camera);
+        PixelStory pixel = new Renderer(scene, camera, new RenderSettings(Stage.FINAL, 3, 2, 1)).explainer().story(10, 10);
+        return StoryText.lines(pixel, scene, camera);
     }
 }
