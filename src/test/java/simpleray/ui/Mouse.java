@@ -61,8 +61,11 @@ public final class Mouse {
     /** Does something while a key is held. */
     public void holding(int key, Runnable task) {
         heard(KeyEvent.KEY_PRESSED, e -> ((KeyEvent) e).getKeyCode() == key, () -> robot.keyPress(key));
-        task.run();
-        heard(KeyEvent.KEY_RELEASED, e -> ((KeyEvent) e).getKeyCode() == key, () -> robot.keyRelease(key));
+        try {
+            task.run();
+        } finally {
+            heard(KeyEvent.KEY_RELEASED, e -> ((KeyEvent) e).getKeyCode() == key, () -> robot.keyRelease(key));
+        }
     }
 
     private static void heard(int id, Predicate<AWTEvent> wanted, Runnable task) {

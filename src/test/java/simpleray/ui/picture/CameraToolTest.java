@@ -186,6 +186,7 @@ class CameraToolTest {
         drag(InputEvent.BUTTON1_DOWN_MASK, 3, 2);
         OpenWindow.appears("the story of the pixel that was clicked", JTree.class, tree -> "story".equals(tree.getName()));
         drag(InputEvent.BUTTON3_DOWN_MASK, 30, 0);
+        window.screen.press(KeyEvent.VK_ESCAPE);              // closes the menu of that pixel
         mouse.holding(KeyEvent.VK_SHIFT, () -> drag(InputEvent.BUTTON1_DOWN_MASK, 30, 0));
         mouse.holding(KeyEvent.VK_CONTROL, () -> drag(InputEvent.BUTTON1_DOWN_MASK, 30, 0));
 
