@@ -81,15 +81,20 @@ public final class Screen {
             }
         };
         Toolkit.getDefaultToolkit().addAWTEventListener(listener, AWTEvent.KEY_EVENT_MASK);
+        send(keys);
+        arrive(arrived, "the key " + KeyEvent.getKeyText(last) + " reaches a window");
+        Toolkit.getDefaultToolkit().removeAWTEventListener(listener);
+        OpenWindow.run(() -> { });
+    }
+
+    /** Presses and releases keys, whoever gets them. */
+    public void send(int... keys) {
         for (int key : keys) {
             robot.keyPress(key);
         }
         for (int i = keys.length - 1; i >= 0; i--) {
             robot.keyRelease(keys[i]);
         }
-        arrive(arrived, "the key " + KeyEvent.getKeyText(last) + " reaches a window");
-        Toolkit.getDefaultToolkit().removeAWTEventListener(listener);
-        OpenWindow.run(() -> { });
     }
 
     /** Types text as on a keyboard of the USA. */

@@ -2,6 +2,7 @@ package simpleray.ui;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.awt.event.KeyEvent;
 import java.awt.image.BufferedImage;
 import java.nio.file.Path;
 import java.util.List;
@@ -23,7 +24,10 @@ class ViewCommandTest {
         Process process = new ProcessBuilder(java.toString(), "-jar", System.getProperty("simpleray.jar"), "view",
             TestScenes.THESIS.toString(), "--size", "300x200", "--stage", "lighting", "--look", "dark").inheritIO().start();
         try {
-            Screen.until("the picture is somewhere on the screen", () -> isShown(expected));
+            Screen.until("the picture is somewhere on the screen", () -> {
+                screen.send(KeyEvent.VK_CONTROL, KeyEvent.VK_0);          // at first it fits its pane
+                return isShown(expected);
+            });
             Screen.until("something dark is around it", this::isDark);
             process.destroy();
 

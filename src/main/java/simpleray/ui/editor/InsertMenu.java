@@ -124,7 +124,8 @@ final class InsertMenu {
             os.flush();
             boolean object = one.getNumberObjects() > 0;
             List<String> lines = bytes.toString(StandardCharsets.UTF_8).lines().toList();
-            return lines.get(object ? 2 : lines.size() - 1).strip();  // after a comment and the count, or last
+            String line = lines.get(object ? 2 : lines.size() - 1).strip();   // after a comment and the count, or last
+            return line.replaceAll("\\.0(?=\\s|$)", "");     // a person would not write 1.0
         } catch (IOException e) {
             throw new UncheckedIOException(e);                // does not happen in memory
         }

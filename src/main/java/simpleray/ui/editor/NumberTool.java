@@ -150,7 +150,8 @@ final class NumberTool {
         return sum.setScale(Math.max(sum.scale(), least), RoundingMode.UNNECESSARY).toPlainString();
     }
 
-    private void end() {
+    /** Ends the change of a number, so that it can be undone. */
+    void end() {
         turning.stop();
         if (edited) {
             area.endAtomicEdit();

@@ -128,6 +128,12 @@ final class SceneArea extends RSyntaxTextArea {
         return end;
     }
 
+    @Override
+    public void undoLastAction() {
+        numbers.end();                                        // a step that the wheel has begun
+        super.undoLastAction();
+    }
+
     /** Replaces the text, except for an equal start and end, so that carets stay and it can be undone. */
     void replaceAll(String text) {
         String now = getText();

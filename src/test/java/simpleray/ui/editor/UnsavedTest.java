@@ -10,6 +10,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import javax.swing.JButton;
+import javax.swing.JToolBar;
+import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -235,13 +237,18 @@ class UnsavedTest {
     }
 
     private void answer(String button) {
-        JButton found = OpenWindow.appears("the question", JButton.class, b -> button.equals(b.getText()));
+        JButton found = OpenWindow.appears("the question", JButton.class, b -> isButton(b, button));
         window.screen.click(found);
         Screen.until("the question is gone", () -> !found.isShowing());
     }
 
     private void click(String button) {
-        window.screen.click(OpenWindow.appears(button, JButton.class, b -> button.equals(b.getText())));
+        window.screen.click(OpenWindow.appears(button, JButton.class, b -> isButton(b, button)));
+    }
+
+    /** {@return whether a button has this text and is not one of the row below the menus} */
+    private static boolean isButton(JButton button, String text) {
+        return text.equals(button.getText()) && SwingUtilities.getAncestorOfClass(JToolBar.class, button) == null;
     }
 
     private void untilBanner() {

@@ -88,11 +88,12 @@ class PictureSettingsTest {
     }
 
     private void choose(String menu, String name) {
-        OpenWindow.run(() -> item(menu, name).doClick());
+        OpenWindow.run(item(menu, name)::doClick);
     }
 
     private JMenuItem item(String menu, String name) {
-        return OpenWindow.ask(() -> Arrays.stream(((JMenu) window.item(menu)).getMenuComponents()).map(JMenuItem.class::cast)
+        JMenu found = (JMenu) window.item(menu);
+        return OpenWindow.ask(() -> Arrays.stream(found.getMenuComponents()).map(JMenuItem.class::cast)
             .filter(item -> item.getText().equals(name)).findFirst().orElseThrow());
     }
 }

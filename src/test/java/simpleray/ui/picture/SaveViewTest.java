@@ -73,12 +73,12 @@ class SaveViewTest {
 
     @Test
     void saveViewWritesTheLineAndNothingElseAndItIsTheScenesOwnFromThenOn() throws IOException {
-        Pose moved = moved();
+        moved();
         save();
         untilSaved();
 
         assertThat(text()).isEqualTo(SCENE + "camera 0 0 1.7 0 0 -1 90\r\n");
-        assertThat(SceneFile.read(scene).scene().settings.camera).isEqualTo(moved);
+        assertThat(SceneFile.read(scene).scene().settings.camera).isEqualTo(new Pose(0, 0, 1.7, 0, 0, -1, 90));
         Screen.until("it is the scene's own", () -> window.picture().request().settings().camera == null);
         window.untilState(RenderJob.State.FINISHED);
 
