@@ -46,6 +46,7 @@ class CameraToolTest {
         window.untilState(RenderJob.State.FINISHED);
         own = TestScenes.rendered(scene, WIDTH, HEIGHT);
         window.untilShown("the scene's own view", own);
+        window.untilProblems("clipped");                      // its pane moves the picture
         mouse = new Mouse(window.picture());
     }
 
