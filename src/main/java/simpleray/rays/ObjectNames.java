@@ -2,6 +2,7 @@ package simpleray.rays;
 
 import simpleray.math.Colour;
 import simpleray.math.Point;
+import simpleray.math.Ray;
 import simpleray.math.Vector;
 import simpleray.scene.Camera;
 import simpleray.scene.Material;
@@ -32,9 +33,9 @@ final class ObjectNames {
 
     ObjectNames(Scene scene, Camera camera) {
         this.scene = scene;
-        double middle = camera.height() / 2.0;
-        eye = camera.eye();
-        ahead = camera.through(camera.width() / 2.0, middle).direction;
+        Ray middle = camera.through(camera.width() / 2.0, camera.height() / 2.0);
+        eye = middle.origin;                                  // of parallel rays, the one in the middle
+        ahead = middle.direction;
         ahead.y = 0;
         ahead.normalise();
         right = new Vector(-ahead.z, 0, ahead.x);

@@ -2,7 +2,7 @@ package simpleray.scene;
 
 import simpleray.scene.KindTable.Kind;
 
-/** The kinds of light that a scene file knows: a new one needs a class and a line here. */
+/** The kinds of light that a scene file knows: a new one needs a class, a line here and a form for POV-Ray in {@code PovWriter}. */
 final class LightKind {
     static final KindTable<Light> TABLE = new KindTable<Light>("light")
         .add(new Kind<>(0, "point light", PointLight.class) { @Override Light make() { return new PointLight(); } })

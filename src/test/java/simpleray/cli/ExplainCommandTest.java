@@ -14,6 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import simpleray.Project;
 import simpleray.image.Picture;
@@ -201,5 +202,19 @@ class ExplainCommandTest {
             .contains("diffuse = Kd · arriving · (N·L) = (0.5 0 0) · ");
         assertThat(InProcess.run("explain", scene.toString(), "--pixel", "1,1", "--size", "3x3", "--format", "json").text())
             .contains("{\"number\":1,\"kind\":\"mesh\",\"line\":2,\"mtl\":{\"name\":\"\\\"dark\\\" red\",\"file\":\"" + mtl + "\",\"line\":2},\"distance\":2.0,");
+    }
+
+    static List<String> scenes() {
+        return Project.scenes();
+    }
+
+    /** Each kind of camera, light and object has its words. */
+    @ParameterizedTest
+    @MethodSource("scenes")
+    void everySampleSceneIsExplained(String name) {
+        Program.Result told = InProcess.run("explain", Project.scene(name).toString(), "--pixel", "3,3", "--size", "6x5", "--samples", "1");
+
+        assertThat(told.exitCode()).as(told.err()).isZero();
+        assertThat(told.text()).startsWith("pixel 3,3 of 6x5, stage final: ").contains("\n  ");
     }
 }

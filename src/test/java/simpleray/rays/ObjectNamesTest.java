@@ -12,6 +12,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import simpleray.Project;
 import simpleray.math.Colour;
 import simpleray.scene.Camera;
+import simpleray.scene.ParallelCamera;
 import simpleray.scene.PerspectiveCamera;
 import simpleray.scene.RayTreeRecorder;
 import simpleray.scene.Scene;
@@ -40,6 +41,8 @@ class ObjectNamesTest {
 
         assertThat(names(room, new SimpleCamera())).isEqualTo("grey left wall, grey back wall, grey ceiling, grey plane");
         assertThat(names(room, new PerspectiveCamera(new PerspectiveCamera.Pose(0, 0, 0, -1, 0, 0, 60), 9, 9)))
+            .isEqualTo("grey back wall, grey right wall, grey ceiling, grey plane");
+        assertThat(names(room, new ParallelCamera(new ParallelCamera.View(0, 0, 0, -1, 0, 0, 5), null, 9, 9)))
             .isEqualTo("grey back wall, grey right wall, grey ceiling, grey plane");
     }
 
