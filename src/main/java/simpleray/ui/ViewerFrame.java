@@ -2,6 +2,8 @@ package simpleray.ui;
 
 import java.awt.BorderLayout;
 import java.awt.Dimension;
+import java.awt.event.ComponentAdapter;
+import java.awt.event.ComponentEvent;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.io.File;
@@ -18,6 +20,7 @@ import simpleray.ui.compare.Comparison;
 import simpleray.ui.desktop.DesktopActions;
 import simpleray.ui.desktop.PictureDialogs;
 import simpleray.ui.desktop.Preferences;
+import simpleray.text.Diagnostic;
 import simpleray.ui.editor.DiagnosticsPane;
 import simpleray.ui.editor.EditorContext;
 import simpleray.ui.editor.SceneDocument;
@@ -360,8 +363,23 @@ final class ViewerFrame extends JFrame implements EditorContext {
         split.setDividerSize(pane == null ? 0 : DIVIDER);
         if (pane != null) {
             // warnings of a picture that is there take the room that it has left for them
-            int height = picture.seen() == null || state == RenderJob.State.FAILED ? pane.getPreferredSize().height : LINES;
-            split.setDividerLocation(split.getHeight() - split.getDividerSize() - height);
+            boolean tall = picture.seen() == null || state == RenderJob.State.FAILED || report.places().stream().anyMatch(Diagnostic::error);
+            divide(tall ? pane.getPreferredSize().height : LINES);
         }
+    }
+
+    /** Gives what is below the picture a height, or half of all; before the window has its size, once it has. */
+    private void divide(int below) {
+        if (split.getHeight() > 0) {
+            split.setDividerLocation(split.getHeight() - split.getDividerSize() - Math.min(below, split.getHeight() / 2));
+            return;
+        }
+        split.addComponentListener(new ComponentAdapter() {
+            @Override
+            public void componentResized(ComponentEvent e) {
+                split.removeComponentListener(this);
+                divide(below);
+            }
+        });
     }
 }

@@ -139,7 +139,8 @@ public final class PictureSettings {
     }
 
     private void reset(SceneSettings settings) {
-        ALL.forEach(setting -> setting.reset(settings));
+        SceneSettings none = new SceneSettings();
+        ALL.forEach(setting -> setting.copy(none, settings));
     }
 
     /** Puts what was chosen here, or on the command line, into the text. */

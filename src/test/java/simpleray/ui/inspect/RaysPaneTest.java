@@ -145,7 +145,8 @@ class RaysPaneTest {
             click(window, new Point(45, 36));
             window.screen.press(KeyEvent.VK_V);
             untilRays(45, 36);
-            move(window, new Point(45, 36));
+            Screen.until("its story is there, too", () -> "Pixel 45, 36".equals(label("story title")));
+            mouse(window, new Point(45, 36));
             robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
             move(window, new Point(40, 34));
             untilRays(40, 34);
@@ -176,6 +177,7 @@ class RaysPaneTest {
         OpenWindow window = new OpenWindow(SceneSource.file(TestScenes.THESIS), WIDTH, HEIGHT, made -> made.frame().setSize(1100, 800));
         window.untilState(RenderJob.State.FINISHED);
         window.untilShown("the picture", TestScenes.rendered(TestScenes.THESIS, WIDTH, HEIGHT));
+        window.untilProblems("lights nothing");               // its pane moves the picture
         return window;
     }
 
@@ -282,6 +284,16 @@ class RaysPaneTest {
     private void move(OpenWindow window, Point pixel) {
         Point place = window.onScreen(pixel);
         robot.mouseMove(place.x, place.y);
+    }
+
+    /** Moves the mouse until it is there, though the picture may be moved meanwhile. */
+    private void mouse(OpenWindow window, Point pixel) {
+        Screen.until("the mouse is over the pixel", () -> {
+            move(window, pixel);
+            Point now = window.picture().getMousePosition();
+            Rectangle all = window.picture().place();
+            return now != null && now.equals(new Point(all.x + pixel.x, all.y + pixel.y));
+        });
     }
 
     private void click(OpenWindow window, Point pixel) {

@@ -21,6 +21,8 @@ import simpleray.ui.file.SceneSource;
 
 /** The size, the samples and the depth in the Render menu. */
 class PictureSettingsTest {
+    /** The place of the menu Render. */
+    private static final int RENDER = 4;
     private static final String SCENE = "1\n1  0 0 1 -1  0.2 0.4 0.6  0 0 0  0 0 0  0\n1 1 1\n0\n";
 
     @TempDir
@@ -76,7 +78,8 @@ class PictureSettingsTest {
         Screen.until("it has the scene's depth", () -> window.job().snapshot().settings() != null
             && Integer.valueOf(3).equals(window.job().snapshot().settings().depth));
         window.untilState(RenderJob.State.FINISHED);
-        assertThat(OpenWindow.ask(window.picture()::imageSize)).isEqualTo(new Dimension(200, 200));
+        assertThat(OpenWindow.ask(() -> window.picture().request().settings().lines())).as("what is asked for beside the scene").isEmpty();
+        assertThat(OpenWindow.ask(window.picture()::imageSize)).isNotEqualTo(new Dimension(320, 240));
     }
 
     private String read() {
@@ -92,7 +95,8 @@ class PictureSettingsTest {
     }
 
     private JMenuItem item(String menu, String name) {
-        JMenu found = (JMenu) window.item(menu);
+        JMenu found = OpenWindow.ask(() -> Arrays.stream(window.frame.getJMenuBar().getMenu(RENDER).getMenuComponents())
+            .filter(part -> part instanceof JMenu one && one.getText().equals(menu)).map(JMenu.class::cast).findFirst().orElseThrow());
         return OpenWindow.ask(() -> Arrays.stream(found.getMenuComponents()).map(JMenuItem.class::cast)
             .filter(item -> item.getText().equals(name)).findFirst().orElseThrow());
     }
