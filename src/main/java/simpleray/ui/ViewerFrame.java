@@ -363,7 +363,8 @@ final class ViewerFrame extends JFrame implements EditorContext {
         split.setDividerSize(pane == null ? 0 : DIVIDER);
         if (pane != null) {
             // warnings of a picture that is there take the room that it has left for them
-            boolean tall = picture.seen() == null || state == RenderJob.State.FAILED || report.places().stream().anyMatch(Diagnostic::error);
+            boolean tall = picture.seen() == null || state == RenderJob.State.FAILED
+                || report.places().stream().anyMatch(Diagnostic::error);
             divide(tall ? pane.getPreferredSize().height : LINES);
         }
     }
