@@ -201,6 +201,7 @@ class InspectorTest {
         });
         try (OpenWindow window = new OpenWindow(source, WIDTH, HEIGHT)) {
             window.untilState(RenderJob.State.FINISHED);
+            window.untilProblems("lights nothing");
             RenderJob first = window.job();
             held.set(true);
             window.screen.press(KeyEvent.VK_2);
@@ -335,6 +336,7 @@ class InspectorTest {
         OpenWindow window = new OpenWindow(SceneSource.file(TestScenes.THESIS), WIDTH, HEIGHT);
         window.untilState(RenderJob.State.FINISHED);
         window.untilShown("the picture", TestScenes.rendered(TestScenes.THESIS, WIDTH, HEIGHT));
+        window.untilProblems("lights nothing");               // its pane moves the picture
         return window;
     }
 
