@@ -1,6 +1,7 @@
 package simpleray.scene;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
 import java.lang.reflect.Field;
@@ -14,6 +15,7 @@ import java.util.TreeSet;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import simpleray.Project;
 import simpleray.SettingSamples;
@@ -139,5 +141,26 @@ class SettingTest {
     @MethodSource("all")
     void thePageOfTheSceneFormatNamesTheKeyword(Setting<?> setting) throws IOException {
         assertThat(Files.readString(Project.root().resolve("docs/scene-format.md"))).contains("| `" + setting.keyword() + ' ');
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = ' ', value = {"resolution 640", "resolution 640x", "resolution x480", "resolution 0x1", "resolution 1x0",
+        "depth a", "samples 0", "samples 17", "cop a", "camera 1,2,3,0,0,0", "camera 1,2,3,1,2,3,40", "camera 1,2,3,0,0,0,180",
+        "parallel 1,2,3,0,0,0,0", "parallel 1,2,3,0,0,0", "up 0,0,0", "up 1,2", "up 1,2,a",
+        "background 1,2", "background 1,-2,3", "background some"})
+    void whatAnOptionCannotBeIsRefusedByName(String keyword, String value) {
+        assertThatThrownBy(() -> Setting.of(keyword).parse(value, new SceneSettings())).isInstanceOf(IllegalArgumentException.class)
+            .hasMessageContaining(value);
+    }
+
+    @Test
+    void sizesAndNumbersAreTakenAtTheirEnds() {
+        SceneSettings settings = new SceneSettings();
+        Setting.RESOLUTION.parse("1X1", settings);
+        Setting.SAMPLES.parse("16", settings);
+        Setting.DEPTH.parse("0", settings);
+
+        assertThat(settings.lines()).isEqualTo("resolution 1 1\ndepth 0\nsamples 16\n");
+        assertThat(Setting.ALL.stream().filter(Setting::isAlwaysTold)).containsExactly(Setting.RESOLUTION, Setting.DEPTH, Setting.SAMPLES);
     }
 }
