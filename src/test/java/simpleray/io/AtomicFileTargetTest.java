@@ -2,6 +2,7 @@ package simpleray.io;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import com.google.common.jimfs.Configuration;
 import com.google.common.jimfs.Jimfs;
@@ -41,6 +42,19 @@ class AtomicFileTargetTest {
     @Test
     void aFolderIsNoTarget() {
         assertRefused(disk.getPath("/pictures"), "/pictures: is a folder");
+    }
+
+    /** Another program writes a film. */
+    @Test
+    void whatIsWrittenIsAFileBesideTheTargetOrTheDeviceItself() throws IOException {
+        try (AtomicFile file = new AtomicFile(target)) {
+            assertThat(file.file()).isNotEqualTo(target).exists().hasParent(target.getParent());
+        }
+        Path device = Path.of("/dev/null");
+        assumeTrue(Files.isWritable(device), "there is no such device here");
+        try (AtomicFile file = new AtomicFile(device)) {
+            assertThat(file.file()).isEqualTo(device);
+        }
     }
 
     @Test
