@@ -143,9 +143,9 @@ class RaysPaneTest {
     void aPixelThatIsDraggedTakesItsRaysAndItsStoryAlong() throws Exception {
         try (OpenWindow window = finished()) {
             click(window, new Point(45, 36));
+            Screen.until("its story is there", () -> "Pixel 45, 36".equals(label("story title")));
             window.screen.press(KeyEvent.VK_V);
             untilRays(45, 36);
-            Screen.until("its story is there, too", () -> "Pixel 45, 36".equals(label("story title")));
             mouse(window, new Point(45, 36));
             robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
             move(window, new Point(40, 34));
