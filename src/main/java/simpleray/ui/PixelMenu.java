@@ -85,6 +85,7 @@ final class PixelMenu extends MouseAdapter {
     /** {@return a pixel's linear colour; null while its row is not finished} */
     private static Colour colour(Picture light, Point pixel) {
         double[] row = light == null || pixel.x >= light.width() || pixel.y >= light.height() ? null : light.row(pixel.y);
-        return row == null ? null : new Colour(row[3 * pixel.x], row[3 * pixel.x + 1], row[3 * pixel.x + 2]);
+        int at = row == null ? 0 : light.channels() * pixel.x;
+        return row == null ? null : new Colour(row[at], row[at + 1], row[at + 2]);
     }
 }

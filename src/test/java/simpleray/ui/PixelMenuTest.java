@@ -8,6 +8,8 @@ import java.awt.Robot;
 import java.awt.Toolkit;
 import java.awt.datatransfer.DataFlavor;
 import java.awt.event.InputEvent;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JMenuItem;
@@ -17,6 +19,7 @@ import javax.swing.JTree;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import simpleray.math.Colour;
 import simpleray.rays.StoryText;
 import simpleray.ui.file.SceneSource;
@@ -63,6 +66,20 @@ class PixelMenuTest {
 
         JTextArea text = OpenWindow.appears("the text", JTextArea.class, area -> area.getText().contains("#number of objects"));
         Screen.until("the caret is in line 31", () -> lineOfCaret(text) == 31);
+    }
+
+    @Test
+    void itCopiesTheColourOfATransparentPicture(@TempDir Path folder) throws Exception {
+        Path scene = TestScenes.write(folder.resolve("a.scene"), Files.readString(TestScenes.THESIS) + "\nbackground none\n");
+        OpenWindow.run(() -> window.open(SceneSource.file(scene)));
+        Screen.until("it is rendered", () -> window.job().snapshot().picture() != null && window.job().snapshot().picture().hasAlpha());
+        window.untilState(RenderJob.State.FINISHED);
+        choose("Copy Colour");
+
+        Screen.until("it is said", () -> window.status().startsWith("Copied: "));
+        double[] row = window.job().snapshot().picture().row(PIXEL.y);
+        String colour = StoryText.colour(new Colour(row[4 * PIXEL.x], row[4 * PIXEL.x + 1], row[4 * PIXEL.x + 2]));
+        assertThat(Toolkit.getDefaultToolkit().getSystemClipboard().getData(DataFlavor.stringFlavor)).isEqualTo(colour);
     }
 
     @Test
