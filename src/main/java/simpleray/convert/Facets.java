@@ -102,18 +102,7 @@ public final class Facets {
         Triangle first = facets.get(0).triangle;
         objects.set(objects.indexOf(first), Mesh.named(first.surfaceMaterial, obj, areColourful()));
         objects.removeIf(Triangle.class::isInstance);
-        Scene other = new Scene();
-        other.ambient = scene.ambient;
-        other.settings = scene.settings;
-        other.setNumberObjects(objects.size());
-        for (int i = 0; i < objects.size(); i++) {
-            other.setObject(i, objects.get(i));
-        }
-        other.setNumberLights(scene.getNumberLights());
-        for (int i = 0; i < scene.getNumberLights(); i++) {
-            other.setLight(i, scene.getLight(i));
-        }
-        return other;
+        return scene.with(objects);
     }
 
     /** Writes an OBJ; corners in one place are one vertex. */

@@ -78,7 +78,7 @@ public final class OutsideScene {
         }
         if (!wanted.equals(kept)) {
             kept = wanted;
-            opened = with(wanted);
+            opened = scene.with(wanted);
             prepared = new PreparedScene(opened);
         }
     }
@@ -91,21 +91,6 @@ public final class OutsideScene {
     /** {@return the scene as it is compiled now, which stays the same as long as the same planes are left out} */
     Scene opened() {
         return opened;
-    }
-
-    private Scene with(List<Object> objects) {
-        Scene other = new Scene();
-        other.ambient = scene.ambient;
-        other.settings = scene.settings;
-        other.setNumberObjects(objects.size());
-        for (int i = 0; i < objects.size(); i++) {
-            other.setObject(i, objects.get(i));
-        }
-        other.setNumberLights(scene.getNumberLights());
-        for (int i = 0; i < scene.getNumberLights(); i++) {
-            other.setLight(i, scene.getLight(i));
-        }
-        return other;
     }
 
     /** {@return the distance of each pixel's surface from the eye; infinite if there is none} */

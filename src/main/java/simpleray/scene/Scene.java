@@ -159,6 +159,27 @@ public final class Scene {
         return lights.get(i);
     }
 
+    /**
+     * Returns a scene of other objects.
+     *
+     * @param others its objects, referenced
+     * @return a new scene with these objects, and with the lights, the ambient light and the settings of this one, referenced
+     */
+    public Scene with(List<Object> others) {
+        Scene scene = new Scene();
+        scene.ambient = ambient;
+        scene.settings = settings;
+        scene.setNumberObjects(others.size());
+        for (int i = 0; i < others.size(); i++) {
+            scene.setObject(i, others.get(i));
+        }
+        scene.setNumberLights(numberLights);
+        for (int i = 0; i < numberLights; i++) {
+            scene.setLight(i, lights.get(i));
+        }
+        return scene;
+    }
+
     /** {@return the first line of an object in the scene's file; 0 if it is from no file} */
     int objectLine(int i) {
         return objectLines.get(i);
