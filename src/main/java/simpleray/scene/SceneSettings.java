@@ -142,7 +142,7 @@ public final class SceneSettings {
     }
 
     /** {@return whether the camera has keys} */
-    private boolean hasCameraKeys() {
+    public boolean hasCameraKeys() {
         return keys != null && keys.stream().anyMatch(key -> key.thing().kind() == Key.Kind.CAMERA);
     }
 

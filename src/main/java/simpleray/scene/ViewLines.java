@@ -112,7 +112,7 @@ public final class ViewLines {
         SceneSettings old = read(bytes, path, reach);
         SceneSettings view = new SceneSettings();
         view.camera = pose;
-        if (old.hasCamera() && old.camera == null && (old.keys == null || cameraKeys(old).isEmpty())) {
+        if (old.hasCamera() && old.camera == null && !old.hasCameraKeys()) {
             byte[] free = put(bytes, path, view, reach);
             return putKey(free, path, frame, pose, reach);
         }

@@ -5,27 +5,20 @@ import java.awt.Toolkit;
 import java.awt.datatransfer.StringSelection;
 import java.awt.event.KeyEvent;
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.FileSystemException;
-import java.nio.file.Path;
-import java.util.List;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import javax.swing.Action;
 import javax.swing.JComponent;
 import javax.swing.JMenu;
-import javax.swing.JOptionPane;
 import javax.swing.SwingUtilities;
 import simpleray.scene.FreeView;
-import simpleray.scene.Key;
 import simpleray.scene.PerspectiveCamera.Pose;
 import simpleray.scene.SceneFile;
 import simpleray.scene.SceneSettings;
 import simpleray.scene.ViewLines;
-import simpleray.text.SceneFormatException;
 import simpleray.ui.file.FileSource;
-import simpleray.ui.file.SceneSource;
 import simpleray.ui.widget.KeyBindings;
 
 /** The Camera menu: moves the camera in steps, goes back to the scene's own, copies and saves it. */
@@ -35,12 +28,11 @@ public final class CameraMenu {
     private static final String TITLE = "The view was not saved";
 
     private final ViewerContext window;
-    private final Supplier<String> text;
-    private final Consumer<String> replacement;
     private final SimpleRay picture;
     private final CameraTool tool;
     private final JMenu menu = new JMenu("Camera");
     private final Executor writer;
+    private final TextChange edit;
 
     /**
      * Creates the menu.
@@ -51,10 +43,9 @@ public final class CameraMenu {
      */
     public CameraMenu(ViewerContext window, Supplier<String> text, Consumer<String> replacement) {
         this.window = window;
-        this.text = text;
-        this.replacement = replacement;
         picture = window.picture();
         writer = window.workers().finishing("simpleray-view");
+        edit = new TextChange(window, text, replacement, writer, TITLE);
         tool = new CameraTool(picture);
         menu.setMnemonic(KeyEvent.VK_C);
         add("Orbit Left", "LEFT", () -> tool.turn(-STEP, 0));
@@ -137,10 +128,10 @@ public final class CameraMenu {
             window.say("There is no view to save: no scene was read");
         } else if (hasKeys()) {
             window.say("The camera has keys: Camera > Set Camera Key writes this view as one of them");
-        } else if (text.get() != null && tool.isOther()) {
-            putIntoText(picture.source(), text.get(), (bytes, path, reach) -> ViewLines.put(bytes, path, view, reach));
+        } else if (edit.isPossible() && tool.isOther()) {
+            edit.make((bytes, path, reach) -> ViewLines.put(bytes, path, view, reach), tool::release);
         } else if (!(picture.source() instanceof FileSource file)) {
-            tell("The scene is in no file yet: File > Save Scene As\u2026 writes one");
+            edit.tell("The scene is in no file yet: File > Save Scene As\u2026 writes one");
         } else if (!tool.isOther()) {
             window.say("The scene has this view already");
         } else {
@@ -156,8 +147,7 @@ public final class CameraMenu {
 
     private boolean hasKeys() {
         SceneFile film = picture.job().snapshot().film();
-        List<Key> keys = film == null ? null : film.scene().settings.keys;
-        return keys != null && keys.stream().anyMatch(key -> key.thing().kind() == Key.Kind.CAMERA);
+        return film != null && film.scene().settings.hasCameraKeys();
     }
 
     /** Makes the view a key of the frame on the screen. */
@@ -174,14 +164,14 @@ public final class CameraMenu {
             return;
         }
         ViewLines.Change change = (bytes, path, reach) -> ViewLines.putKey(bytes, path, now.frame(), pose, reach);
-        if (text.get() != null) {
-            putIntoText(picture.source(), text.get(), change);
+        if (edit.isPossible()) {
+            edit.make(change, tool::release);
         } else if (picture.source() instanceof FileSource file) {
             writer.execute(() -> {
                 String failure = failure(file, change);
                 SwingUtilities.invokeLater(() -> {
                     if (failure != null) {
-                        tell(file.name() + '\n' + failure);
+                        edit.tell(file.name() + '\n' + failure);
                     } else if (window.frame().isDisplayable() && picture.source() == file) {
                         tool.release();                       // the changed file is read as one that another program has changed
                         window.say("Set the camera's key at frame " + now.frame() + " in " + file.name() + file.note());
@@ -189,44 +179,13 @@ public final class CameraMenu {
                 });
             });
         } else {
-            tell("The scene is in no file yet: File > Save Scene As\u2026 writes one");
+            edit.tell("The scene is in no file yet: File > Save Scene As\u2026 writes one");
         }
-    }
-
-    /** Writes the view into the text beside the picture, in which something may be typed that the file does not have. */
-    private void putIntoText(SceneSource source, String edited, ViewLines.Change change) {
-        Path path = source.home() == null ? Path.of(source.name().replaceAll("[<>]", "")) : source.home();
-        writer.execute(() -> {
-            String put = null;
-            String failure = null;
-            try {
-                put = new String(change.apply(edited.getBytes(StandardCharsets.UTF_8), path, source.reach()), StandardCharsets.UTF_8);
-            } catch (SceneFormatException e) {
-                failure = "The text is not readable as a scene: " + e.getMessage().lines().findFirst().orElse("");
-            } catch (IOException | RuntimeException | OutOfMemoryError e) {
-                failure = e.toString();
-            }
-            String made = put;
-            String why = failure;
-            SwingUtilities.invokeLater(() -> {
-                if (!window.frame().isDisplayable()) {                 // closed meanwhile
-                    return;
-                }
-                if (why != null) {
-                    tell(source.name() + '\n' + why);
-                } else if (picture.source() == source && edited.equals(text.get())) {
-                    tool.release();
-                    replacement.accept(made);
-                } else {
-                    window.say("The text was changed meanwhile: try again");
-                }
-            });
-        });
     }
 
     private void saved(FileSource file, SceneSettings view, String failure) {
         if (failure != null) {
-            tell(file.name() + '\n' + failure);
+            edit.tell(file.name() + '\n' + failure);
             return;
         }
         if (!window.frame().isDisplayable()) {                         // closed meanwhile: nothing is to be rendered any more
@@ -237,10 +196,6 @@ public final class CameraMenu {
             tool.adopt();                                     // unless it was moved on meanwhile
         }
         window.say("Saved the view in " + file.name() + file.note());
-    }
-
-    private void tell(String reason) {
-        JOptionPane.showMessageDialog(window.frame(), reason, TITLE, JOptionPane.ERROR_MESSAGE);
     }
 
     /** {@return why the view could not be saved, a line; null if it was} */

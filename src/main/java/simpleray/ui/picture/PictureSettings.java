@@ -1,27 +1,21 @@
 package simpleray.ui.picture;
 
 import java.awt.event.KeyEvent;
-import java.io.IOException;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import javax.swing.JMenu;
 import javax.swing.JMenuItem;
 import javax.swing.JOptionPane;
 import javax.swing.JRadioButtonMenuItem;
-import javax.swing.SwingUtilities;
 import javax.swing.event.MenuEvent;
 import javax.swing.event.MenuListener;
 import simpleray.render.RenderRequest;
 import simpleray.scene.SceneSettings;
 import simpleray.scene.Setting;
 import simpleray.scene.ViewLines;
-import simpleray.ui.file.SceneSource;
 import simpleray.ui.widget.KeyBindings;
 
 /** The size of the picture, its samples and its depth, chosen in the Render menu, and written into the scene on request. */
@@ -31,10 +25,8 @@ public final class PictureSettings {
 
     private final ViewerContext window;
     private final SimpleRay picture;
-    private final Supplier<String> text;
-    private final Consumer<String> replacement;
     private final Consumer<Runnable> opener;
-    private final Executor writer;
+    private final TextChange edit;
     private final Map<JMenuItem, Choice> choices = new LinkedHashMap<>();
 
     /** A value of a setting, as the command line has it. */
@@ -52,10 +44,8 @@ public final class PictureSettings {
     public PictureSettings(ViewerContext window, Consumer<Runnable> opener, Supplier<String> text, Consumer<String> replacement) {
         this.window = window;
         this.opener = opener;
-        this.text = text;
-        this.replacement = replacement;
         picture = window.picture();
-        writer = window.workers().finishing("simpleray-settings");
+        edit = new TextChange(window, text, replacement, window.workers().finishing("simpleray-settings"), TITLE);
     }
 
     /**
@@ -118,7 +108,7 @@ public final class PictureSettings {
             try {
                 set(settings -> Setting.RESOLUTION.parse(answer.toString().replaceAll("\\s", ""), settings));
             } catch (IllegalArgumentException e) {
-                tell(e.getMessage());
+                edit.tell(e.getMessage());
             }
         }
     }
@@ -151,31 +141,6 @@ public final class PictureSettings {
             window.say("The scene has these settings already");
             return;
         }
-        SceneSource source = picture.source();
-        String edited = text.get();
-        Path path = source.home() == null ? Path.of("stdin") : source.home();
-        writer.execute(() -> {
-            try {
-                String made = new String(ViewLines.putSettings(edited.getBytes(StandardCharsets.UTF_8), path, chosen, source.reach()),
-                    StandardCharsets.UTF_8);
-                SwingUtilities.invokeLater(() -> take(edited, made));
-            } catch (IOException | RuntimeException e) {
-                String reason = String.valueOf(e.getMessage()).lines().findFirst().orElse("");
-                SwingUtilities.invokeLater(() -> tell("The text is not readable as a scene: " + reason));
-            }
-        });
-    }
-
-    private void take(String edited, String made) {
-        if (edited.equals(text.get())) {
-            request(this::reset);
-            replacement.accept(made);
-        } else {
-            window.say("The text was changed meanwhile: try again");
-        }
-    }
-
-    private void tell(String reason) {
-        JOptionPane.showMessageDialog(window.frame(), reason, TITLE, JOptionPane.ERROR_MESSAGE);
+        edit.make((bytes, path, reach) -> ViewLines.putSettings(bytes, path, chosen, reach), () -> request(this::reset));
     }
 }
