@@ -371,8 +371,10 @@ final class ViewerFrame extends JFrame implements EditorContext {
 
     /** Gives what is below the picture a height, or half of all; before the window has its size, once it has. */
     private void divide(int below) {
+        validate();                                           // else the height may be an older window's
         if (split.getHeight() > 0) {
             split.setDividerLocation(split.getHeight() - split.getDividerSize() - Math.min(below, split.getHeight() / 2));
+            validate();                                       // what the window gains or loses from now on is the picture's
             return;
         }
         split.addComponentListener(new ComponentAdapter() {
