@@ -4,7 +4,9 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.Path;
+import java.util.ArrayDeque;
 import java.util.BitSet;
+import java.util.Deque;
 import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.atomic.AtomicInteger;
@@ -21,6 +23,7 @@ import simpleray.render.Provenance;
 import simpleray.render.RenderListener;
 import simpleray.render.RenderRequest;
 import simpleray.render.RenderStats;
+import simpleray.render.RenderThreads;
 import simpleray.render.Renderer;
 import simpleray.scene.Film;
 import simpleray.scene.FrameTexts;
@@ -28,9 +31,14 @@ import simpleray.scene.RayStats;
 import simpleray.scene.Scene;
 import simpleray.scene.SceneFile;
 
-/** Renders the frames of a film, one after another, and writes them. <em>Mutable</em>: one makes one film, once. */
+/**
+ * Renders the frames of a film in order, and writes them. While a frame's last rows are rendered and its file is ended, the next one is begun.
+ * <em>Mutable</em>: one makes one film, once.
+ */
 public final class FilmRenderer {
     private static final int MAX_DELAY = 65535;
+    /** The most parts of objects that move of which two frames are compiled at a time. */
+    private static final long MAX_MOVED = 100_000;
 
     private final RenderRequest request;
     private final FilmOutput output;
@@ -46,13 +54,14 @@ public final class FilmRenderer {
     private final long bytesNeeded;
     private final int width;                                  // of each frame
     private final int height;
+    private final int threads;
     private final RayStats rays = new RayStats();
     private boolean counted = true;                           // the rays of all frames so far
     private double readySeconds;
     private double renderSeconds;
     private Listener listener;
     private RenderListener rows;
-    private Renderer current;                                 // null before there is one
+    private final Deque<OpenFrame> open = new ArrayDeque<>();  // the next to be finished first
     private boolean cancelled;
     private boolean done;
 
@@ -107,9 +116,100 @@ public final class FilmRenderer {
     private record Frame(Scene scene, RenderRequest request) {
     }
 
-    /** Writes a frame while it is rendered. */
-    private interface Writer {
-        void write(int frame, Frame of, Renderer renderer) throws IOException;
+    /** A frame that is being rendered and written. */
+    private abstract class OpenFrame implements RenderListener {
+        final Renderer renderer;
+
+        OpenFrame(Renderer renderer) {
+            this.renderer = renderer;
+        }
+
+        @Override
+        public void rowFinished(int y) {
+            try {
+                take(y);
+            } catch (IOException e) {
+                throw new UncheckedIOException(e);
+            }
+            renderer.picture().release(y);
+            rows.rowFinished(y);
+        }
+
+        abstract void take(int y) throws IOException;
+
+        /** Writes what comes behind the rows. */
+        abstract void end() throws IOException;
+
+        /** Discards the file, unless it was ended. */
+        void close() throws IOException {
+            // there may be none
+        }
+    }
+
+    /** A frame in a PNG of its own. */
+    private final class PngFrame extends OpenFrame {
+        private final String name;
+        private final AtomicFile target;
+        private final PngWriter png;
+
+        PngFrame(Renderer renderer, int number, Frame of) throws FilmException {
+            super(renderer);
+            name = output.frame(number);
+            target = begin(name);
+            renderer.picture().tell(() -> texts(of));
+            png = new PngWriter(renderer.picture(), target.out());
+        }
+
+        @Override
+        void take(int y) throws IOException {
+            try {
+                png.row(y);
+            } catch (IOException e) {
+                throw notWritten(name, e.getMessage());
+            }
+        }
+
+        @Override
+        void end() throws IOException {
+            try {
+                png.end();
+                target.commit();
+            } catch (IOException e) {
+                throw notWritten(name, e.getMessage());
+            }
+        }
+
+        @Override
+        void close() throws IOException {
+            target.close();
+        }
+    }
+
+    /** A frame that goes to ffmpeg. */
+    private final class CodedFrame extends OpenFrame {
+        private final FfmpegFilm coder;
+        private final byte[] levels = new byte[3 * width * height];
+
+        CodedFrame(Renderer renderer, FfmpegFilm coder) {
+            super(renderer);
+            this.coder = coder;
+        }
+
+        @Override
+        void take(int y) {
+            byte[] row = Picture.levels(renderer.picture().over(y, 0));   // films have no alpha
+            System.arraycopy(row, 0, levels, row.length * y, row.length);
+        }
+
+        @Override
+        void end() throws IOException {
+            coder.frame(levels);
+        }
+    }
+
+    /** Opens what a frame is written to. */
+    private interface Opener {
+        OpenFrame open(int number, Frame of, Renderer renderer) throws IOException;
     }
 
     /**
@@ -149,11 +249,12 @@ public final class FilmRenderer {
         Renderer renderer = prepared.renderer(first.request);
         width = renderer.picture().width();
         height = renderer.picture().height();
+        threads = renderer.threads();
         long frame = 3L * width * height;
         if (output.kind().isByFfmpeg() && frame > Integer.MAX_VALUE - Long.BYTES) {
             throw new IllegalArgumentException("a film of frames of " + size() + " is too large for ffmpeg");
         }
-        long extra = output.kind().isByFfmpeg() ? frame : output.kind() == FilmOutput.Kind.GIF ? GifFilm.bytesNeeded(width, height) : 0;
+        long extra = output.kind().isByFfmpeg() ? 2 * frame : output.kind() == FilmOutput.Kind.GIF ? GifFilm.bytesNeeded(width, height) : 0;
         bytesNeeded = renderer.bytesNeeded() + Math.max(extra, PngWriter.bytesNeeded(renderer.picture(), renderer.rowsAhead()));
     }
 
@@ -190,9 +291,7 @@ public final class FilmRenderer {
     /** Ends the rendering, now or as soon as it begins. Any thread may call. */
     public synchronized void cancel() {
         cancelled = true;
-        if (current != null) {
-            current.cancel();
-        }
+        open.forEach(frame -> frame.renderer.cancel());
     }
 
     /** {@return whether it was told to end} Faults from then on come from that. */
@@ -205,11 +304,11 @@ public final class FilmRenderer {
         return done;
     }
 
-    private synchronized void begins(Renderer frame) {
+    private synchronized void begins(OpenFrame frame) {
+        open.add(frame);
         if (cancelled) {
             throw new CancellationException("told to stop");
         }
-        current = frame;
     }
 
     private synchronized void finished() {
@@ -229,7 +328,7 @@ public final class FilmRenderer {
         try {
             if (!output.isSingle()) {
                 findKept(before);
-                renderFrames(this::writePng);
+                renderFrames((f, frame, renderer) -> new PngFrame(renderer, f, frame));
             } else {
                 try (AtomicFile target = begin(output.name())) {
                     if (output.kind().isByFfmpeg()) {
@@ -276,7 +375,7 @@ public final class FilmRenderer {
             }
             findKept(before);
             makeFolder();
-            renderFrames(this::writePng);
+            renderFrames((f, frame, renderer) -> new PngFrame(renderer, f, frame));
             List<Path> files = frames.stream().mapToObj(f -> Path.of(output.frame(f))).toList();
             if (output.kind() == FilmOutput.Kind.GIF) {
                 GifFilm.write(files, fps, target.out());
@@ -306,17 +405,7 @@ public final class FilmRenderer {
 
     private void pipe(AtomicFile target) throws IOException {
         try (FfmpegFilm coder = ffmpeg(target.file())) {
-            byte[] levels = new byte[3 * width * height];
-            renderFrames((f, frame, renderer) -> {
-                Picture rendered = renderer.picture();
-                render(renderer, y -> {
-                    byte[] row = Picture.levels(rendered.over(y, 0));   // films have no alpha
-                    System.arraycopy(row, 0, levels, row.length * y, row.length);
-                    rendered.release(y);
-                    rows.rowFinished(y);
-                });
-                coder.frame(levels);
-            });
+            renderFrames((f, frame, renderer) -> new CodedFrame(renderer, coder));
             coder.end();
             target.commit();
         }
@@ -347,20 +436,75 @@ public final class FilmRenderer {
         listener.found(whole());
     }
 
-    private void renderFrames(Writer writer) throws IOException {
+    private void renderFrames(Opener opener) throws IOException {
         long known = (long) height * kept.cardinality();
         Progress progress = new Progress((long) height * frames.cardinality(), System.nanoTime(), known);
         progress.rowsFinished(known);
         rows = listener.begins(progress);
-        for (int f = frames.nextSetBit(0); f >= 0; f = frames.nextSetBit(f + 1)) {
-            if (!kept.get(f)) {
-                Frame frame = frame(f);
-                Renderer renderer = prepared.renderer(frame.request, frame.scene);
-                begins(renderer);
-                writer.write(f, frame, renderer);
-                whole.incrementAndGet();
-                count(renderer.stats());
+        int ahead = !film.movesObjects() || parts(film.still(0)) <= MAX_MOVED ? 1 : 0;
+        long start = System.nanoTime();
+        try (RenderThreads workers = new RenderThreads(threads)) {
+            try {
+                for (int f = frames.nextSetBit(0); f >= 0; f = frames.nextSetBit(f + 1)) {
+                    if (!kept.get(f)) {
+                        finish(ahead);
+                        begin(f, opener, workers);
+                    }
+                }
+                finish(0);
+            } finally {
+                abandon();
             }
+        }
+        renderSeconds = Math.max(0, Progress.seconds(start, System.nanoTime()) - readySeconds);
+    }
+
+    private static long parts(Scene scene) {
+        long sum = 0;
+        for (int i = 0; i < scene.getNumberObjects(); i++) {
+            sum += scene.getObject(i).parts();
+        }
+        return sum;
+    }
+
+    private void begin(int f, Opener opener, RenderThreads workers) throws IOException {
+        Frame of = frame(f);
+        OpenFrame frame = opener.open(f, of, prepared.renderer(of.request, of.scene));
+        begins(frame);
+        frame.renderer.begin(workers, frame);
+    }
+
+    /** Finishes frames, all but so many. */
+    private void finish(int left) throws IOException {
+        while (open.size() > left) {
+            OpenFrame frame = open.peek();
+            try {
+                frame.renderer.end();
+            } catch (UncheckedIOException e) {
+                throw e.getCause();
+            }
+            frame.end();
+            frame.close();
+            whole.incrementAndGet();
+            count(frame.renderer.stats());
+            ended();
+        }
+    }
+
+    private synchronized void ended() {
+        open.remove();
+    }
+
+    /** Ends what is still open, after a fault. */
+    private void abandon() throws IOException {
+        synchronized (this) {
+            open.forEach(frame -> frame.renderer.cancel());
+        }
+        while (!open.isEmpty()) {
+            OpenFrame frame = open.peek();
+            frame.renderer.await();
+            frame.close();
+            ended();
         }
     }
 
@@ -370,38 +514,9 @@ public final class FilmRenderer {
             rays.add(frame.rays());
         }
         readySeconds += frame.readySeconds();
-        renderSeconds += frame.renderSeconds();
     }
 
-    private void writePng(int f, Frame frame, Renderer renderer) throws IOException {
-        String name = output.frame(f);
-        try (AtomicFile target = begin(name)) {
-            Picture rendered = renderer.picture();
-            rendered.tell(() -> texts(frame));
-            PngWriter png = new PngWriter(rendered, target.out());
-            render(renderer, y -> {
-                try {
-                    png.row(y);
-                } catch (IOException e) {
-                    throw new UncheckedIOException(e);
-                }
-                rendered.release(y);
-                rows.rowFinished(y);
-            });
-            png.end();
-            target.commit();
-        } catch (FilmException e) {
-            throw e;
-        } catch (IOException e) {
-            throw new FilmException(FilmException.Kind.NOT_WRITTEN, name + ": cannot be written: " + e.getMessage());
-        }
-    }
-
-    private static void render(Renderer renderer, RenderListener listener) throws IOException {
-        try {
-            renderer.render(listener);
-        } catch (UncheckedIOException e) {
-            throw e.getCause();
-        }
+    private static FilmException notWritten(String name, String reason) {
+        return new FilmException(FilmException.Kind.NOT_WRITTEN, name + ": cannot be written: " + reason);
     }
 }

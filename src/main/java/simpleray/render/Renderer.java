@@ -1,10 +1,10 @@
 package simpleray.render;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.Future;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReferenceArray;
 import java.util.function.Consumer;
@@ -21,9 +21,6 @@ import simpleray.trace.CompiledScene;
  */
 public final class Renderer {
     // A plain rendering uses no lambda, here and elsewhere: the first ones add 10 ms to each start.
-    /** The size of a thread's stack, in bytes: enough for {@link RenderSettings#MAX_DEPTH} reflections within reflections. */
-    private static final long STACK = 8L << 20;
-
     /** The most rows that are rendered early, the most pixels in them, and the part of all rows that they are at most. */
     private static final int MAX_EARLY = 64;
     private static final int MAX_EARLY_PIXELS = 64_000;
@@ -50,6 +47,11 @@ public final class Renderer {
     private final AtomicInteger nextEarly = new AtomicInteger();
     private volatile CompiledScene ready;                     // kept for the explainer
     private volatile boolean begun;                           // the scene is compiled, if it is to be
+    private Tracers tracers;                                  // null before it has begun, as the next ones
+    private RenderThreads workers;
+    private List<Future<?>> tasks = List.of();
+    private double readySeconds;
+    private long startTime;
     private volatile ProgressiveRenderer passes;              // null unless rendering in passes
     private boolean paused;
     private IntFunction<double[]> known;                      // null if no row is known
@@ -135,10 +137,23 @@ public final class Renderer {
      * @throws CancellationException if it was cancelled, or the calling thread was interrupted
      */
     public Picture render(RenderListener listener) {
-        return renderBy(new Consumer<>() {
+        try (RenderThreads threads = new RenderThreads(threads())) {
+            begin(threads, listener);
+            return end();
+        }
+    }
+
+    /**
+     * Begins to render, and returns at once. {@link #end} waits for the picture.
+     *
+     * @param threads render, after what they were given before
+     * @param listener called for each row; an exception that it throws ends the rendering
+     */
+    public void begin(RenderThreads threads, RenderListener listener) {
+        start(threads, new Consumer<>() {
             @Override
-            public void accept(Tracers tracers) {
-                work(tracers, listener);
+            public void accept(Tracers made) {
+                work(made, listener);
             }
         });
     }
@@ -169,7 +184,10 @@ public final class Renderer {
         if (cancelled) {                                      // before there were passes to stop
             own.stop();
         }
-        return renderBy(tracers -> own.run(many -> tracers.tracer(many && !cancelled), settings.samples()));
+        try (RenderThreads threads = new RenderThreads(threads())) {
+            start(threads, made -> own.run(many -> made.tracer(many && !cancelled), settings.samples()));
+            return end();
+        }
     }
 
     /**
@@ -184,38 +202,33 @@ public final class Renderer {
         }
     }
 
-    private Picture renderBy(Consumer<Tracers> work) {
-        long start = System.nanoTime();
+    private void start(RenderThreads threads, Consumer<Tracers> work) {
+        long first = System.nanoTime();
         CompiledScene compiled = settings.accel() == Accel.NONE ? null
             : prepared == null ? compile() : prepared.compiled(scene, camera.eye(), this::compile);
         ready = compiled;
         begun = true;
-        Tracers tracers = new Tracers(scene, camera, settings, compiled);
-        long begin = System.nanoTime();
-        List<Thread> workers = new ArrayList<>(threads());
-        for (int i = 0; i < threads(); i++) {
-            try {
-                Thread worker = new Thread(null, new Runnable() {
-                    @Override
-                    public void run() {
-                        Renderer.this.run(work, tracers);
-                    }
-                }, "simpleray-worker-" + (i + 1), STACK);
-                worker.setDaemon(true);
-                worker.start();
-                workers.add(worker);
-            } catch (OutOfMemoryError e) {                    // the system grants no more threads, and fewer are enough
-                if (workers.isEmpty()) {
-                    throw e;
-                }
-                break;
+        tracers = new Tracers(scene, camera, settings, compiled);
+        startTime = System.nanoTime();
+        readySeconds = Progress.seconds(first, startTime);
+        workers = threads;
+        tasks = threads.begin(new Runnable() {
+            @Override
+            public void run() {
+                Renderer.this.run(work);
             }
-        }
-        for (Thread worker : workers) {
-            await(worker);
-        }
-        stats = new RenderStats(tracers.stats(), Progress.seconds(start, begin),
-            Progress.seconds(begin, System.nanoTime()));
+        });
+    }
+
+    /**
+     * Waits until all rows are finished of what was begun.
+     *
+     * @return the picture, without the rows that the listener released
+     * @throws CancellationException if it was cancelled, or the calling thread was interrupted
+     */
+    public Picture end() {
+        await();
+        stats = new RenderStats(tracers.stats(), readySeconds, Progress.seconds(startTime, System.nanoTime()));
         if (fault instanceof Error error) {
             throw error;
         }
@@ -228,12 +241,31 @@ public final class Renderer {
         return picture;
     }
 
+    /** Waits until no thread works on it any more. An interrupt cancels it, and is kept. */
+    public void await() {
+        boolean interrupted = false;
+        for (Future<?> task : tasks) {
+            while (!task.isDone()) {
+                try {
+                    workers.await(task);
+                } catch (InterruptedException e) {
+                    interrupted = true;
+                    cancel();
+                }
+            }
+        }
+        if (interrupted) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
     private CompiledScene compile() {
         long samples = Math.max(1, (long) settings.samples() * settings.samples());
         return new CompiledScene(scene, camera.eye(), settings.threads(), samples * picture.width() * picture.height());
     }
 
-    private int threads() {
+    /** {@return the most threads that can be at work} */
+    public int threads() {
         return Math.min(settings.threads(), picture.height());
     }
 
@@ -244,22 +276,6 @@ public final class Renderer {
         ProgressiveRenderer current = passes;
         if (current != null) {
             current.stop();
-        }
-    }
-
-    /** Waits until a thread has ended. An interrupt cancels the rendering, and is kept. */
-    private void await(Thread worker) {
-        boolean interrupted = false;
-        while (worker.isAlive()) {
-            try {
-                worker.join();
-            } catch (InterruptedException e) {
-                interrupted = true;
-                cancel();
-            }
-        }
-        if (interrupted) {
-            Thread.currentThread().interrupt();
         }
     }
 
@@ -327,7 +343,7 @@ public final class Renderer {
             : new AdaptiveSampler(tracer, camera.width(), camera.height(), picture.channels(), region, firstPoints);
     }
 
-    private void run(Consumer<Tracers> work, Tracers tracers) {
+    private void run(Consumer<Tracers> work) {
         try {
             work.accept(tracers);
         } catch (RuntimeException | Error e) {                // thrown by render(), after all threads have ended
@@ -338,8 +354,8 @@ public final class Renderer {
         }
     }
 
-    private void work(Tracers tracers, RenderListener listener) {
-        Sampler own = sampler(tracers.tracer(true));
+    private void work(Tracers made, RenderListener listener) {
+        Sampler own = sampler(made.tracer(true));
         renderEarly(own);
         double[] spare = null;                                // the array of a row that the listener released
         for (int y = rows.next(); y >= 0 && !cancelled; y = rows.next()) {

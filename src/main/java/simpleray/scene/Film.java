@@ -105,6 +105,11 @@ public final class Film {
         return still;
     }
 
+    /** {@return whether objects move, so that the scenes of two frames are of other ones} */
+    public boolean movesObjects() {
+        return tracks.stream().anyMatch(track -> track.thing.kind() == Key.Kind.OBJECT);
+    }
+
     /** Sets a thing of a still scene to what it is at a frame. {@return the fault, for which it is not set; null if there is none} */
     private Fault put(Track track, double frame, double[] v, Scene still) {
         track.at(frame + 0.0, curve, v);
