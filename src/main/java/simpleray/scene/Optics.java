@@ -8,7 +8,7 @@ public final class Optics {
     /** Up to this coordinate rounding errors are far below {@link Object#THRESHOLD}, at grazing angles too. */
     private static final double LARGE = 1e4;
     /** An upper bound of the rounding errors of a hit point, as a share of its coordinates. */
-    private static final double ROUNDINGS = 0x1p-48;
+    static final double ROUNDINGS = 0x1p-48;
 
     private Optics() {
     }
@@ -68,20 +68,29 @@ public final class Optics {
      * @return {@link Object#THRESHOLD}, or more where rounding errors are larger
      */
     public static double margin(Point point, double distance) {
-        double size = Math.max(Math.max(Math.abs(point.x), Math.abs(point.y)), Math.max(Math.abs(point.z), distance));
-        return size < Double.POSITIVE_INFINITY ? Math.max(Object.THRESHOLD, ROUNDINGS * size) : 0;
+        double error = error(point, distance);
+        return error < Double.POSITIVE_INFINITY ? Math.max(Object.THRESHOLD, error) : 0;
     }
 
     private static double liftLarge(Point point, Vector normal, double t) {
-        double size = Math.max(Math.max(Math.abs(point.x), Math.abs(point.y)), Math.max(Math.abs(point.z), t));
-        if (!(size < Double.POSITIVE_INFINITY)) {
+        double height = error(point, t);
+        if (!(height < Double.POSITIVE_INFINITY)) {
             return 0;
         }
-        double height = ROUNDINGS * size;
-        point.x += height * normal.x;
-        point.y += height * normal.y;
-        point.z += height * normal.z;
+        move(point, normal, height);
         return height;
+    }
+
+    /** {@return an upper bound of the rounding error of a hit point, to which the ray travelled the distance t} */
+    static double error(Point point, double t) {
+        return ROUNDINGS * Math.max(Math.max(Math.abs(point.x), Math.abs(point.y)), Math.max(Math.abs(point.z), t));
+    }
+
+    /** Moves a point along a unit normal. */
+    static void move(Point point, Vector normal, double distance) {
+        point.x += distance * normal.x;
+        point.y += distance * normal.y;
+        point.z += distance * normal.z;
     }
 
     /**
@@ -93,9 +102,7 @@ public final class Optics {
      */
     public static void sink(Point point, Vector normal, double height) {
         if (height > 0) {
-            point.x -= 2 * height * normal.x;
-            point.y -= 2 * height * normal.y;
-            point.z -= 2 * height * normal.z;
+            move(point, normal, -2 * height);
         }
     }
 }

@@ -11,10 +11,13 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import simpleray.math.Colour;
 import simpleray.math.Point;
+import simpleray.math.Ray;
 import simpleray.math.Vector;
 import simpleray.scene.BruteForceIntersector;
 import simpleray.scene.Cylinder;
+import simpleray.scene.Hit;
 import simpleray.scene.Interaction;
+import simpleray.scene.Intersector;
 import simpleray.scene.Material;
 import simpleray.scene.Mesh;
 import simpleray.scene.Object;
@@ -110,6 +113,51 @@ class AcceleratedIntersectorLampPlacesTest {
                     if (scale > 1e-5 && new VisibilityTester(new BruteForceIntersector(shaded), true, stats)
                             .reaches(scene.getLight(0), 0, at, new Colour(1, 1, 1))) {
                         wrong.add(shape + ": what is before the lamp throws no shadow");
+                    }
+                }
+            }
+        }
+        assertThat(wrong).isEmpty();
+    }
+
+    /** In its own surface a lamp has N·L = 0, and a hair above it more than 0: at all points, or a highlight has specks. */
+    @ParameterizedTest
+    @CsvSource({"1e-3, 0", "1e-3, 1000", "1, 0", "1, 1000", "1, 9000", "1, 1e5", "1000, 0", "1e6, 0", "1e6, 1e9"})
+    void roundingDoesNotDecideWhetherAFlatSurfaceFacesIt(double scale, double far) {
+        this.scale = scale;
+        this.far = far;
+        List<String> wrong = new ArrayList<>();
+        double hair = 1e-9 * Math.max(scale, far / 1000);
+        for (String shape : new String[] {"plane", "triangle", "mesh", "end"}) {
+            for (int i = 0; i < LAMPS; i++) {
+                Point lamp = point();
+                Vector outward = direction();
+                Object surface = around(shape, lamp, outward, new Material());
+                Scene scene = Scenes.of(surface);
+                Scenes.light(scene, new PointLight(lamp), new PointLight(at(lamp, outward, hair)), new PointLight(at(lamp, outward, -hair)));
+                RayStats stats = new RayStats();
+                Point eye = at(at(lamp, outward, 3 * scale), direction(), scale);
+                List<Intersector> intersectors = List.of(new BruteForceIntersector(scene),
+                    new CompiledScene(scene, eye, 1, 1_000_000).intersector(stats));
+                for (int k = 0; k < POINTS; k++) {
+                    Ray ray = new Ray(eye, Vector.subtract(at(lamp, direction(), 0.6 * scale), eye).normalised());
+                    for (Intersector intersector : intersectors) {
+                        Hit hit = new Hit();
+                        if (!intersector.intersect(ray, hit)) {
+                            continue;
+                        }
+                        Interaction at = new Interaction();
+                        at.set(ray, hit, surface);
+                        if (at.normal.dot(outward) < 0.5) {              // the side of the cylinder
+                            continue;
+                        }
+                        VisibilityTester tester = new VisibilityTester(intersector, true, stats);
+                        for (int light = 0; light < 3; light++) {
+                            boolean lit = tester.reaches(scene.getLight(light), light, at, new Colour(1, 1, 1));
+                            if (lit != (light == 1)) {
+                                wrong.add(shape + ": light " + light + (lit ? " reaches" : " does not reach") + " it, N·L " + tester.facing);
+                            }
+                        }
                     }
                 }
             }
