@@ -9,6 +9,8 @@ public final class Optics {
     private static final double LARGE = 1e4;
     /** An upper bound of the rounding errors of a hit point, as a share of its coordinates. */
     static final double ROUNDINGS = 0x1p-48;
+    /** Down to this cosine a shadow ray may slant against the surface that holds the lamp: its hit's error grows by 1 / cosine. */
+    private static final double SLANTED = 0x1p-8;
 
     private Optics() {
     }
@@ -69,7 +71,7 @@ public final class Optics {
      */
     public static double margin(Point point, double distance) {
         double error = error(point, distance);
-        return error < Double.POSITIVE_INFINITY ? Math.max(Object.THRESHOLD, error) : 0;
+        return error < Double.POSITIVE_INFINITY ? Math.max(Object.THRESHOLD, error / SLANTED) : 0;
     }
 
     private static double liftLarge(Point point, Vector normal, double t) {

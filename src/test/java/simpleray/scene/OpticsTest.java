@@ -19,10 +19,10 @@ class OpticsTest {
     void aShadowRayEndsBeforeTheLightByMoreThanItsRoundings() {
         assertThat(Optics.margin(new Point(1, 2, 3), 4)).isEqualTo(Object.THRESHOLD);
         assertThat(Optics.margin(new Point(1, 2, 3), Double.POSITIVE_INFINITY)).isZero();
-        assertThat(Optics.margin(new Point(-0x1p48, 2, 3), 4)).isEqualTo(1);
-        assertThat(Optics.margin(new Point(1, -0x1p49, 3), 4)).isEqualTo(2);
-        assertThat(Optics.margin(new Point(1, 2, -0x1p50), 4)).isEqualTo(4);
-        assertThat(Optics.margin(new Point(1, 2, 3), 0x1p51)).isEqualTo(8);
+        assertThat(Optics.margin(new Point(-0x1p40, 2, 3), 4)).isEqualTo(1);
+        assertThat(Optics.margin(new Point(1, -0x1p41, 3), 4)).isEqualTo(2);
+        assertThat(Optics.margin(new Point(1, 2, -0x1p42), 4)).isEqualTo(4);
+        assertThat(Optics.margin(new Point(1, 2, 3), 0x1p43)).isEqualTo(8);
     }
 
     @Test

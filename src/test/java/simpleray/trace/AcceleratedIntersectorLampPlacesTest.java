@@ -14,6 +14,7 @@ import simpleray.math.Point;
 import simpleray.math.Ray;
 import simpleray.math.Vector;
 import simpleray.scene.BruteForceIntersector;
+import simpleray.scene.Cone;
 import simpleray.scene.Cylinder;
 import simpleray.scene.Hit;
 import simpleray.scene.Interaction;
@@ -70,6 +71,11 @@ class AcceleratedIntersectorLampPlacesTest {
                 new int[] {0, 1, 2});
             case "sphere" -> new Sphere(material, at(lamp, outward, -scale), scale);
             case "end" -> new Cylinder(material, lamp, at(lamp, outward, -scale), 0.7 * scale);
+            case "cone" -> {
+                Vector axis = Vector.add(Vector.scale(along, 4), Vector.scale(outward, -3)).normalised();   // radius 3/4 of the height
+                Point apex = at(lamp, along, -0.5 * scale);
+                yield new Cone(material, apex, 0, at(apex, axis, 0.8 * scale), 0.6 * scale);
+            }
             default -> {
                 Point middle = at(lamp, outward, -0.4 * scale);
                 yield new Cylinder(material, at(middle, across, scale), at(middle, across, -scale), 0.4 * scale);
@@ -85,7 +91,7 @@ class AcceleratedIntersectorLampPlacesTest {
         Material matt = new Material();
         Material glass = Scenes.glass(0, 0.5, 1.5);
         List<String> wrong = new ArrayList<>();
-        for (String shape : new String[] {"plane", "triangle", "mesh", "sphere", "end", "side"}) {
+        for (String shape : new String[] {"plane", "triangle", "mesh", "sphere", "end", "side", "cone"}) {
             for (int i = 0; i < LAMPS; i++) {
                 Point lamp = point();
                 Vector outward = direction();
@@ -97,7 +103,8 @@ class AcceleratedIntersectorLampPlacesTest {
                     new VisibilityTester(new CompiledScene(scene, at(lamp, outward, 3 * scale), 1, 1_000_000)
                         .intersector(stats), true, stats));
                 for (int k = 0; k < POINTS; k++) {
-                    Vector aside = Vector.add(outward, Vector.scale(direction(), 0.9));
+                    Vector aside = k % 2 == 0 ? Vector.add(outward, Vector.scale(direction(), 0.9))
+                        : Vector.add(Vector.scale(outward, 0.01), Vector.cross(outward, direction()).normalised());
                     Interaction at = new Interaction();
                     at.point.copy(at(lamp, aside, scale * (0.5 + 5 * random.nextDouble())));
                     at.normal.copy(Vector.negate(outward));
