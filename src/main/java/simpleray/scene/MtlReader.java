@@ -41,6 +41,7 @@ final class MtlReader {
     private final Skipped skipped;
     private final List<MtlMaterial> materials = new ArrayList<>();
     private final Set<String> names = new HashSet<>();
+    private boolean named;                                    // whether a newmtl with a name is above, and none without behind it
     private int begin;                                        // of the latest word of the line
     private int at;                                           // after it
 
@@ -94,18 +95,19 @@ final class MtlReader {
         String keyword = written.toLowerCase(Locale.ROOT);
         if (keyword.equals("newmtl")) {
             String name = lines.name(at);
-            if (!name.isEmpty()) {
+            named = !name.isEmpty();
+            if (named) {
                 if (!names.add(name)) {
                     skipped.again.add(lines);
                 }
                 materials.add(new MtlMaterial(name, lines.file(), lines.number()));
-                return;
             }
+            return;
         }
         Property property = COLOURS.containsKey(keyword) ? COLOURS.get(keyword) : NUMBERS.get(keyword);
         if (keyword.startsWith("map_") || TEXTURES.contains(keyword)) {
             skipped.textures.add(lines);
-        } else if (property != null && materials.isEmpty()) {
+        } else if (property != null && !named) {
             skipped.nameless.add(lines);
         } else if (property != null) {
             MtlMaterial material = materials.get(materials.size() - 1);

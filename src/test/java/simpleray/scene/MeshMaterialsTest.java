@@ -291,6 +291,13 @@ class MeshMaterialsTest {
     }
 
     @Test
+    void valuesOfAMaterialWithoutANameAreNotThoseOfTheOneBefore() throws IOException {
+        assertThat(text(material(RED + "newmtl  \nKd 1 1 1\nnewmtl green\nKd 0 1 0\n"))).startsWith("0.1 0.0 0.0  0.8 0.0 0.0");
+        assertWarnings(
+            "a.mtl:7:1: warning: expected newmtl with a name before a material's values, found 1 value without, which is passed over");
+    }
+
+    @Test
     void valuesWithoutAMaterialAndSpectraArePassedOver() throws IOException {
         assertThat(text(material("Kd 1 1 1\nnewmtl\nKs 1 1 1\n" + RED + "Kd xyz 1 1 1\nKa spectral a.rfl 1\n"))).startsWith("0.1 0.0 0.0  0.8 0.0 0.0");
         assertWarnings("a.mtl:9:1: warning: expected colours as red, green and blue, found 2 as spectra or as xyz, which are passed over",
