@@ -18,7 +18,7 @@ import simpleray.text.SceneFormatException;
  */
 final class ForeignText {
     /** The largest number: our shapes take no larger one. */
-    private static final double MAX_NUMBER = 1e100;
+    static final double MAX_NUMBER = 1e100;
     private static final int MAX_WARNINGS = 1000;
     /** As much of a long line stands in a message on both sides of the place. */
     private static final int CONTEXT = 512;
@@ -159,12 +159,15 @@ final class ForeignText {
         return number.intValue();
     }
 
-    /** Takes three numbers of this line with commas between them, about which may be blanks. */
-    double[] takeTriple(String what, String... names) throws SceneFormatException {
+    /** Takes three numbers of this line that are in a range, with commas between them, about which may be blanks. */
+    double[] takeTriple(String what, double min, double max, String... names) throws SceneFormatException {
         double[] triple = new double[names.length];
         for (int i = 0; i < triple.length; i++) {
             take(true);
             triple[i] = number(what + ' ' + names[i]);
+            if (triple[i] < min || triple[i] > max) {
+                throw expected(what + ' ' + names[i]);
+            }
             if (i + 1 < triple.length) {
                 isLineEnd();
                 if (at == text.length() || text.charAt(at) != COMMA) {
@@ -199,7 +202,12 @@ final class ForeignText {
 
     /** {@return the error that something else was expected at a place} */
     SceneFormatException error(Place place, String wanted, String found) {
-        return new SceneFormatException(List.of(diagnostic(place, true, "expected " + wanted + ", found " + found)), false);
+        return error(place, "expected " + wanted + ", found " + found);
+    }
+
+    /** {@return an error at a place} */
+    SceneFormatException error(Place place, String message) {
+        return new SceneFormatException(List.of(diagnostic(place, true, message)), false);
     }
 
     /** Notes what is changed or left out, and why. */

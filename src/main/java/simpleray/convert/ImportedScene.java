@@ -11,10 +11,11 @@ import simpleray.text.SceneWriter;
  *
  * @param name the file that it is from, for people
  * @param scene its scene; what is in the facets stands there as triangles, too
+ * @param text the scene as it is written
  * @param facets its polygons
  * @param warnings what is changed or left out, and why
  */
-public record ImportedScene(String name, Scene scene, Facets facets, List<Diagnostic> warnings) {
+public record ImportedScene(String name, Scene scene, String text, Facets facets, List<Diagnostic> warnings) {
     /** How every file begins that an import writes. */
     public static final String MARK = "# imported by SimpleRay";
 
@@ -26,7 +27,7 @@ public record ImportedScene(String name, Scene scene, Facets facets, List<Diagno
      */
     public void write(SceneWriter os) throws IOException {
         writeMark(os);
-        scene.write(os);
+        os.writeString(text);
     }
 
     /**

@@ -50,6 +50,7 @@ final class NffReader {
     private final Map<List<Double>, Material> materials = new HashMap<>();
     private final List<Light> uncoloured = new ArrayList<>();
     private Material material;                                // null before the first f
+    private ForeignText.Place viewAt;
     private double hither;
     private ForeignText.Place hitherAt;
     private ForeignText.Place place;                          // of the thing that is read
@@ -84,7 +85,7 @@ final class NffReader {
         if (hither > 0) {
             findCut();
         }
-        return scene.build(text);
+        return scene.build(text, viewAt);
     }
 
     private double number(String what) throws SceneFormatException {
@@ -167,6 +168,10 @@ final class NffReader {
             text.warn(view, "left out: a scene has one view, the first");
             return;
         }
+        viewAt = view;
+        if (near < 0) {
+            text.warn(before, "left out: hither, since rays see from the eye on and nothing behind it");
+        }
         hither = near;
         hitherAt = before;
         scene.settings.camera = pose;
@@ -194,7 +199,7 @@ final class NffReader {
     private void readLight() throws SceneFormatException {
         Point origin = point("the light's");
         boolean plain = text.isLineEnd();
-        Light light = scene.addLight(origin, plain ? new Colour() : colour("the light's"));
+        Light light = scene.addLight(place, origin, plain ? new Colour() : colour("the light's"));
         if (plain) {
             uncoloured.add(light);
         }
@@ -205,7 +210,7 @@ final class NffReader {
         double diffuse = number("Kd" + OR_MORE, MAX);
         double specular = number("Ks" + OR_MORE, MAX);
         double shine = number("Shine" + OR_MORE, MAX);
-        double passing = number("T" + OR_MORE, MAX);
+        double passing = number("T from 0 to 1", 1);
         double index = number("the index of refraction");
         if (passing > 0 && index < 1) {
             text.warn(place, "changed: index of refraction 1, since ours are 1 or more");

@@ -31,15 +31,18 @@ import simpleray.text.SceneFormatException;
  */
 final class RtReader {
     private static final String[] AXES = {"x", "y", "z"};
-    private static final String[] CHANNELS = {"red", "green", "blue"};
+    private static final String[] CHANNELS = {"red from 0 to 255", "green from 0 to 255", "blue from 0 to 255"};
     private static final double MAX_LEVEL = 255;
     private static final double HALF_TURN = 180;
+    /** A direction that is shorter than this share of the eye's coordinates is scaled. */
+    private static final double SHORT = 1e-3;
     private static final String ANGLE = "the view's angle above 0 and below 180 degrees";
 
     private final ForeignText text;
     private final SceneBuilder scene = new SceneBuilder();
     private ForeignText.Place place;                          // of the line that is read
     private boolean hasAmbient;
+    private ForeignText.Place view;                           // of the camera
     private double angle;                                     // from left to right
 
     RtReader(ForeignText text) {
@@ -71,7 +74,7 @@ final class RtReader {
             text.warn(text.here(), "without ambient light, since the file has no line A");
         }
         scene.settings.camera = withHeight(scene.settings.camera);
-        return scene.build(text);
+        return scene.build(text, view);
     }
 
     /** Leaves out a line of a dialect. */
@@ -97,28 +100,22 @@ final class RtReader {
     }
 
     private Point point(String what) throws SceneFormatException {
-        double[] xyz = text.takeTriple(what, AXES);
+        double[] xyz = text.takeTriple(what, -ForeignText.MAX_NUMBER, ForeignText.MAX_NUMBER, AXES);
         return new Point(xyz[0], xyz[1], xyz[2]);
     }
 
     private Vector direction(String what) throws SceneFormatException {
         ForeignText.Place at = text.here();
-        double[] xyz = text.takeTriple(what, AXES);
-        if (xyz[0] == 0 && xyz[1] == 0 && xyz[2] == 0) {
+        Point p = point(what);
+        if (p.x == 0 && p.y == 0 && p.z == 0) {
             throw text.error(at, what + " other than zero", "zero");
         }
-        return new Vector(xyz[0], xyz[1], xyz[2]);
+        return new Vector(p.x, p.y, p.z);
     }
 
     /** {@return a colour, from 0 to 1} */
     private Colour colour(String what) throws SceneFormatException {
-        ForeignText.Place at = text.here();
-        double[] rgb = text.takeTriple(what, CHANNELS);
-        for (double level : rgb) {
-            if (level < 0 || level > MAX_LEVEL) {
-                throw text.error(at, what + " levels from 0 to 255", "another");
-            }
-        }
+        double[] rgb = text.takeTriple(what, 0, MAX_LEVEL, CHANNELS);
         return new Colour(rgb[0] / MAX_LEVEL, rgb[1] / MAX_LEVEL, rgb[2] / MAX_LEVEL);
     }
 
@@ -169,23 +166,24 @@ final class RtReader {
 
     private void readCamera() throws SceneFormatException {
         Point eye = point("the camera's");
-        ForeignText.Place at = text.here();
         Vector to = direction("the camera's direction");
-        double view = text.takeNumber(ANGLE, 0, HALF_TURN);
-        if (view == 0 || view == HALF_TURN) {
+        double far = largest(eye.x, eye.y, eye.z);
+        if (largest(to.x, to.y, to.z) < SHORT * Math.max(1, far)) {      // or it would lose digits beside the eye
+            to.normalise();
+            to.scale(Math.max(1, far));
+        }
+        double degrees = text.takeNumber(ANGLE, 0, HALF_TURN);
+        if (degrees == 0 || degrees == HALF_TURN) {
             throw text.expected(ANGLE);
         }
         end();
-        Pose pose = new Pose(eye.x, eye.y, eye.z, eye.x + to.x, eye.y + to.y, eye.z + to.z, view);
-        if (pose.fault() != null) {
-            throw text.error(at, "a direction that is not lost beside the camera's point", "a shorter one");
-        }
         if (scene.settings.camera != null) {
             text.warn(place, "left out: a scene has one camera, the first");
             return;
         }
-        scene.settings.camera = pose;
-        angle = view;
+        scene.settings.camera = new Pose(eye.x, eye.y, eye.z, eye.x + to.x, eye.y + to.y, eye.z + to.z, degrees);
+        view = place;
+        angle = degrees;
     }
 
     /** {@return the camera with the angle from bottom to top that belongs to its angle from left to right, in a picture of the scene's size} */
@@ -198,13 +196,17 @@ final class RtReader {
         return new Pose(c.ex(), c.ey(), c.ez(), c.lx(), c.ly(), c.lz(), 2 * StrictMath.toDegrees(StrictMath.atan(half)));
     }
 
+    private static double largest(double x, double y, double z) {
+        return Math.max(Math.max(Math.abs(x), Math.abs(y)), Math.abs(z));
+    }
+
     private void readLight() throws SceneFormatException {
         Point origin = point("the light's");
         double brightness = text.takeNumber("the light's brightness of 0 or more", 0, Double.MAX_VALUE);
         Colour colour = text.isTripleNext() ? colour("the light's") : new Colour(1, 1, 1);
         end();
         colour.scale(brightness);
-        scene.addLight(origin, colour);
+        scene.addLight(place, origin, colour);
     }
 
     private void readSphere() throws SceneFormatException {

@@ -148,12 +148,15 @@ class NffReaderTest {
         assertThat(Imports.warnings(ForeignFormat.NFF, view + GREY + behind + "s 0 0 0 1\n")).isEmpty();
         assertThat(Imports.warnings(ForeignFormat.NFF, view + GREY + behind + "s 0 0 3.5 1\n")).containsExactly(
             "1:41: warning: left out: hither, since rays see from the eye on; what is on line 4 may lie nearer than it");
+        assertThat(Imports.warnings(ForeignFormat.NFF, VIEW.replace("hither 0", "hither -1"))).containsExactly(
+            "1:41: warning: left out: hither, since rays see from the eye on and nothing behind it");
     }
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {
         "s 0 0 0 one        | 3:9: the sphere's radius, found 'one'",
         "s 0 0              | 4:1: the sphere's z, found the end of the file",
+        "f 1 1 1 1 1 1 1.5 1| 3:15: T from 0 to 1, found '1.5'",
         "s 0 1e101 0 1      | 3:5: the sphere's y, found '1e101' (beyond 1e100)",
         "c 0 0 0 1 1 0 0 -1 | 3:17: a radius of the same sign as the other, found '-1'",
         "p x                | 3:3: the number of corners, 1 or more, found 'x'",

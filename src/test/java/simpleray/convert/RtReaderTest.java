@@ -142,8 +142,8 @@ class RtReaderTest {
     @CsvSource(delimiter = '|', value = {
         "sp 0,0,-5 two 255,0,0        | 3:11: the sphere's diameter, found 'two'",
         "sp 0,0,-5 -2 255,0,0         | 3:11: the sphere's diameter above 0, found '-2'",
-        "sp 0,0,-5 2 256,0,0          | 3:13: the sphere's levels from 0 to 255, found another",
-        "sp 0,0,-5 2                  | 3:12: the sphere's red, found the end of the line",
+        "sp 0,0,-5 2 256,0,0          | 3:13: the sphere's red from 0 to 255, found '256'",
+        "sp 0,0,-5 2                  | 3:12: the sphere's red from 0 to 255, found the end of the line",
         "sp 0,0 2 255,0,0             | 3:8: a comma and the sphere's z, found '2'",
         "sp 0,,0 2 255,0,0            | 3:6: the sphere's y, found ','",
         "sp 0,0,0,0 2 255,0,0         | 3:9: a blank after the sphere's z, found ',0' (a decimal point is a '.')",
@@ -152,6 +152,10 @@ class RtReaderTest {
         "sp 0,0,nan 2 255,0,0         | 3:8: the sphere's z, found 'nan' (numbers must be finite)",
         "pl 0,0,0 0,0,0 255,0,0       | 3:10: the plane's normal other than zero, found zero",
         "cy 0,0,0 0,0,1 2 0 255,0,0   | 3:18: the cylinder's height above 0, found '0'",
+        "cy 9e99,0,0 1,0,0 1 9e99 0,0,0| 3:1: ends of numbers from -1e100 to 1e100, found '4.5E99 0.0 0.0  1.35E100 0.0 0.0'",
+        "co 9e99,0,0 1,0,0 1 9e99 0,0,0| 3:1: second end of numbers from -1e100 to 1e100, found '1.8E100 0.0 0.0'",
+        "sp 0,0,0 5e-324 0,0,0        | 3:1: radius above 0, found '0.0'",
+        "pl 2,0,0 1e100,0,0 0,0,0     | 3:1: constant from -1e100 to 1e100, found '2.0E100'",
         "cy 9e9,0,0 1,0,0 1 1e-9 0,0,0| 3:1: a height that is not lost beside the point, found a smaller one",
         "R 0 5                        | 3:3: the picture's width from 1 to 65535, found '0'",
         "R 5 65536                    | 3:5: the picture's height from 1 to 65535, found '65536'",
@@ -159,7 +163,6 @@ class RtReaderTest {
         "A 0,2 255,255,255            | 3:3: the ambient light's ratio of 0 or more, found '0,2' (a decimal point is a '.')",
         "C 0,0,0 0,0,0 70             | 3:9: the camera's direction other than zero, found zero",
         "C 0,0,0 0,0,1 180            | 3:15: the view's angle above 0 and below 180 degrees, found '180'",
-        "C 1e50,0,0 1,0,0 70          | 3:12: a direction that is not lost beside the camera's point, found a shorter one",
         "hello                        | 3:1: A, C, L, sp, pl or cy, found 'hello'",
         "0 0 0                        | 3:1: A, C, L, sp, pl or cy, found '0'"})
     void anErrorTellsLineAndColumn(String line, String error) {
@@ -175,5 +178,21 @@ class RtReaderTest {
     @Test
     void whatIsNoTextIsAnError() {
         assertThat(error("\0\0\0\0")).isEqualTo("1:1: text in UTF-8, found NUL bytes");
+    }
+
+    @Test
+    void aDirectionOfAnyLengthIsTheCameras() throws IOException {
+        for (String camera : new String[] {"1,2,3 0,0,-1e-300 | 1.0 2.0 3.0 1.0 2.0 0.0", "1,2,3 0,1e-9,0 | 1.0 2.0 3.0 1.0 5.0 3.0",
+            "1e50,0,0 0,1,0 | 1.0E50 0.0 0.0 1.0E50 1.0E50 0.0", "1e50,0,0 1,0,0 | 1.0E50 0.0 0.0 2.0E50 0.0 0.0",
+            "1,2,3 0,1e100,0 | 1.0 2.0 3.0 1.0 1.0E100 3.0", "1000,0,0 0,0,1 | 1000.0 0.0 0.0 1000.0 0.0 1.0"}) {
+            String[] both = camera.split(" \\| ");
+            assertThat(scene("A 0 0,0,0\nC " + both[0] + " 90\n")).endsWith("camera " + both[1] + " 90.0\n");
+        }
+    }
+
+    @Test
+    void anAngleThatIsLostInThePicturesShapeIsAnError() {
+        assertThat(error("A 0 0,0,0\nR 60000 1\nC 0,0,0 0,0,-1 1e-320\n"))
+            .isEqualTo("3:1: camera's field of view above 0 and below 180 degrees, found '0.0'");
     }
 }
