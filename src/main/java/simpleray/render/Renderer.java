@@ -1,5 +1,6 @@
 package simpleray.render;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CancellationException;
@@ -32,6 +33,9 @@ public final class Renderer {
     /** The step between columns of early rows. Since it is a prime above any width, steps modulo the width reach each column once. */
     private static final int JUMP = 1_000_003;
 
+    /** Stands for a row whose turn has come. */
+    private static final EarlyRow TAKEN = new EarlyRow(0, null);
+
     private final Scene scene;
     private final Camera camera;
     private final RenderSettings settings;
@@ -42,7 +46,7 @@ public final class Renderer {
     private final ScanlineQueue rows;
     private volatile Throwable fault;                         // the first exception of a thread; if two come at once, either
     private volatile boolean cancelled;
-    private final Map<Integer, EarlyRow> early = new ConcurrentHashMap<>();   // that wait for their turn
+    private final Map<Integer, EarlyRow> early = new ConcurrentHashMap<>();   // by their numbers
     private long maxEarlyTime = MAX_EARLY_TIME;
     private final AtomicInteger nextEarly = new AtomicInteger();
     private volatile CompiledScene ready;                     // kept for the explainer
@@ -57,8 +61,39 @@ public final class Renderer {
     private IntFunction<double[]> known;                      // null if no row is known
     private RenderStats stats;
 
-    /** A row of which so many pixels, in the order of early rows, are rendered. */
-    private record EarlyRow(double[] light, int pixels) {
+    /** A row that a thread has begun early, and leaves to whichever thread's turn it is. */
+    private static final class EarlyRow {
+        private final int y;
+        private final double[] light;
+        private int pixels;                                   // so many are rendered, in the order of early rows
+        private boolean left;
+
+        EarlyRow(int y, double[] light) {
+            this.y = y;
+            this.light = light;
+        }
+
+        synchronized void leave(int pixels) {
+            this.pixels = pixels;
+            left = true;
+            notifyAll();
+        }
+
+        /** Waits until the row is left. {@return how many pixels are rendered} */
+        synchronized int await() {
+            boolean interrupted = false;
+            while (!left) {
+                try {
+                    wait();
+                } catch (InterruptedException e) {
+                    interrupted = true;
+                }
+            }
+            if (interrupted) {
+                Thread.currentThread().interrupt();
+            }
+            return pixels;
+        }
     }
 
     /**
@@ -287,27 +322,31 @@ public final class Renderer {
         int share = (earlyRows() + threads() - 1) / threads();
         int first = nextEarly.getAndAdd(share);
         int last = Math.min(first + share, earlyRows());
-        int[] numbers = new int[Math.max(0, last - first)];
-        int count = 0;
-        for (int k = first; k < last; k++) {
-            int y = (int) ((0.5 + k * APART) % 1 * picture.height());
-            if (known == null || known.apply(y) == null) {
-                numbers[count++] = y;
-            }
-        }
         int width = picture.width();
-        double[][] lights = new double[count][picture.channels() * width];
-        Colour colour = new Colour();
-        long begin = System.nanoTime();
+        List<EarlyRow> mine = new ArrayList<>();
         int pixels = 0;
-        while (pixels < width && System.nanoTime() - begin < maxEarlyTime) {
-            int x = earlyColumn(pixels++);
-            for (int k = 0; k < count && !cancelled; k++) {
-                renderPixel(x, numbers[k], lights[k], own, colour);
+        try {
+            for (int k = first; k < last; k++) {
+                int y = (int) ((0.5 + k * APART) % 1 * picture.height());
+                if (known == null || known.apply(y) == null) {
+                    EarlyRow row = new EarlyRow(y, new double[picture.channels() * width]);
+                    if (early.putIfAbsent(y, row) == null) {      // else its turn has come already
+                        mine.add(row);
+                    }
+                }
             }
-        }
-        for (int k = 0; k < count && !cancelled; k++) {
-            early.put(numbers[k], new EarlyRow(lights[k], pixels));
+            Colour colour = new Colour();
+            long begin = System.nanoTime();
+            while (pixels < width && System.nanoTime() - begin < maxEarlyTime) {
+                int x = earlyColumn(pixels++);
+                for (int k = 0; k < mine.size() && !cancelled; k++) {
+                    renderPixel(x, mine.get(k).y, mine.get(k).light, own, colour);
+                }
+            }
+        } finally {
+            for (EarlyRow row : mine) {
+                row.leave(pixels);
+            }
         }
     }
 
@@ -327,12 +366,13 @@ public final class Renderer {
 
     /** {@return the light of a row that is known, or was begun early and is finished now; null for others} */
     private double[] kept(int y, Sampler own) {
-        EarlyRow begun = early.remove(y);
+        EarlyRow begun = early.putIfAbsent(y, TAKEN);
         if (begun == null) {
             return known == null ? null : known.apply(y);
         }
+        early.put(y, TAKEN);                                  // its light is the picture's now
         Colour colour = new Colour();
-        for (int i = begun.pixels; i < picture.width() && !cancelled; i++) {
+        for (int i = begun.await(); i < picture.width() && !cancelled; i++) {
             renderPixel(earlyColumn(i), y, begun.light, own, colour);
         }
         return begun.light;

@@ -9,6 +9,7 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CyclicBarrier;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import org.junit.jupiter.api.RepeatedTest;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -84,6 +85,18 @@ class RendererTest {
             assertThat(picture.row(y)).as("row " + y).isEqualTo(expected.row(y));
         }
         assertThat(camera.rays()).isEqualTo(WIDTH * HEIGHT);
+    }
+
+    /** Whichever thread begins a row, and whichever's turn it is. */
+    @RepeatedTest(20)
+    void noRowIsRenderedTwiceByManyThreads() throws IOException {
+        CountingCamera camera = new CountingCamera(new SimpleCamera(WIDTH, HEIGHT));
+        Renderer renderer = new Renderer(ThesisScene.read(), camera, new RenderSettings(Stage.FINAL, DEPTH, 1, 16));
+
+        renderer.render(RenderListener.NONE);
+
+        assertThat(camera.rays()).isEqualTo(WIDTH * HEIGHT);
+        assertThat(renderer.stats().rays().primary).isEqualTo(WIDTH * HEIGHT);
     }
 
     /** So a slow picture that is told to stop has rows to keep. */
