@@ -40,6 +40,7 @@ final class RenderCheckpointer implements RowSink, Closeable {
     private final Notes notes;
     private final long start = System.nanoTime();
     private long late;
+    private boolean named;                                    // whether the checkpoint was asked for
     private final Thread hook = new Thread("simpleray-interrupted") {
         @Override
         public void run() {
@@ -120,6 +121,7 @@ final class RenderCheckpointer implements RowSink, Closeable {
      */
     void begin(CheckpointOptions options, long late) throws CommandException {
         this.late = late;
+        named = options.isNamed();
         if (path != null) {
             try {
                 begin(options);
@@ -308,7 +310,7 @@ final class RenderCheckpointer implements RowSink, Closeable {
             if (!done) {
                 notes.fail("interrupted" + (rows == 0
                     ? " after " + Progress.time(Progress.seconds(start, System.nanoTime()))
-                        + ", and nothing is kept: --checkpoint FILE keeps rows from the start"
+                        + (named ? ", before a row was finished" : ", and nothing is kept: --checkpoint FILE keeps rows from the start")
                     : ": " + rows + " of " + renderer.picture().height() + " rows are kept in " + path + "; to go on: "
                         + notes.command()));
             }

@@ -106,6 +106,24 @@ class RenderCommandStoppedTest {
         assertFiles("my slow.scene", "slow.png");
     }
 
+    @Test
+    void whoHasAskedForACheckpointIsNotToldToAsk() throws IOException, InterruptedException {
+        Process process = start("--size", "65535x1", "--checkpoint", "rows");
+        assumeTrue(process.supportsNormalTermination(), "no signals here");
+        try (BufferedReader err = process.errorReader()) {
+            while (!Files.exists(folder.resolve("rows"))) {
+                Thread.sleep(20);
+            }
+            Thread.sleep(500);                                // its end is prepared for once it is there
+
+            assertThat(stopped(process, err, "TERM", 143))
+                .matches("simpleray: interrupted after \\d+\\.\\d s, before a row was finished\n");
+        } finally {
+            process.destroyForcibly();
+        }
+        assertFiles("my slow.scene", "slow.png");
+    }
+
     /** A scheduler that takes the machine away gives it back later. */
     @ParameterizedTest
     @ValueSource(strings = {"", "--band 2/3"})
