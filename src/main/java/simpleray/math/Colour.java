@@ -170,7 +170,18 @@ public final class Colour {
      * @throws IOException if one is missing or below 0
      */
     public void read(SceneReader is) throws IOException {
-        set(component(is, "red"), component(is, "green"), component(is, "blue"));
+        read(is, "red");
+    }
+
+    /**
+     * Reads the three components, where something else could stand, too.
+     *
+     * @param is where from
+     * @param wanted what could stand in place of red, for the message
+     * @throws IOException if one is missing or below 0
+     */
+    public void read(SceneReader is, String wanted) throws IOException {
+        set(component(is, "red", wanted), component(is, "green", "green"), component(is, "blue", "blue"));
     }
 
     /**
@@ -217,8 +228,8 @@ public final class Colour {
         return Math.min(1, Math.max(0, c));
     }
 
-    private static double component(SceneReader is, String field) throws IOException {
-        double value = is.readDouble(field);
+    private static double component(SceneReader is, String field, String wanted) throws IOException {
+        double value = is.readDouble(field, wanted);
         if (value < 0) {
             is.reject(field + " of 0 or more");
         }

@@ -249,7 +249,7 @@ public abstract class Setting<T> {
                 return SceneSettings.TRANSPARENT;
             }
             Colour colour = new Colour();
-            colour.read(is);
+            colour.read(is, "red, or " + NONE);
             return colour;
         }
 

@@ -168,12 +168,24 @@ public final class SceneReader implements Closeable {
      * @throws IOException if the next word is no number, or the file cannot be read
      */
     public double readDouble(String field) throws IOException {
+        return readDouble(field, field);
+    }
+
+    /**
+     * Reads a number, where something else could stand, too.
+     *
+     * @param field what it is
+     * @param wanted what could stand here, for the message
+     * @return the number, finite; NaN if it was bad and that was {@link #tolerate tolerated}
+     * @throws IOException if the next word is no number, or the file cannot be read
+     */
+    public double readDouble(String field, String wanted) throws IOException {
         double value = tokenizer.takeDouble();
         if (Double.isNaN(value)) {
-            String word = word(field, false);
+            String word = word(wanted, false);
             value = NumberParser.parseDouble(word);
             if (Double.isNaN(value)) {
-                refuse(field);
+                refuse(wanted);
             } else if (value == 0 && NumberParser.isTiny(word)) {
                 diagnostics.warn(tokenizer.last(), field + ' ' + Diagnostic.quoted(tokenizer.lastWord()) + " is too small for a number, and read as 0");
             }

@@ -56,7 +56,8 @@ class SceneSettingsErrorsTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"background, red", "background 1, green", "background 1 1, blue", "window, xmin", "window 1, xmax", "window 1 2, ymin",
+    @CsvSource({"background, 'red, or none'", "background 1, green", "background 1 1, blue", "window, xmin",
+        "window 1, xmax", "window 1 2, ymin",
         "window 1 2 3, ymax", "cop, z", "camera, eye x", "camera 1, eye y", "camera 1 1, eye z", "camera 1 1 1, look-at x",
         "camera 1 1 1 1, look-at y",
         "camera 1 1 1 1 1, look-at z", "camera 1 1 1 1 1 2, field of view", "parallel 1 1 1 1 1 2, height", "up, direction x",

@@ -81,7 +81,7 @@ class SceneSettingsReadTest {
     @Test
     void anotherWordIsNoBackground() {
         assertThatThrownBy(() -> read("background nothing")).hasMessageStartingWith(
-            "<stdin>:2:12: error: expected background's red, found 'nothing'");
+            "<stdin>:2:12: error: expected background's red, or none, found 'nothing'");
         assertThatThrownBy(() -> read("background none 0")).hasMessageContaining("<stdin>:2:17: error: expected");
         assertThatThrownBy(() -> Setting.BACKGROUND.parse("None")).hasMessage(
             "expected none, or three numbers such as 0.1,0.2,0.4, found 'None'");
