@@ -117,6 +117,9 @@ final class ImportCommand implements Callable<Integer> {
     private String beside(String name) throws CommandException {
         Path path = Path.of(output).resolveSibling(name);
         OutputName.refuse(path.toString(), file, "the file to read");
+        if (Files.isDirectory(path)) {
+            throw new CommandException(ExitCode.NO_OUTPUT, "simpleray: " + path + ": is a folder: give the scene another name");
+        }
         if (Files.exists(path)) {
             byte[] mark = ImportedScene.MARK.getBytes(StandardCharsets.UTF_8);
             boolean ours;

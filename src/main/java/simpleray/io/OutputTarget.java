@@ -229,6 +229,7 @@ public final class OutputTarget {
             return "permission denied";
         }
         return !(e instanceof FileSystemException f) ? e.getMessage()
-            : f.getReason() != null ? f.getReason() : e.getClass().getSimpleName().replace("Exception", "");
+            : f.getReason() != null ? f.getReason()
+            : e.getClass().getSimpleName().replace("Exception", "").replaceAll("\\B([A-Z])", " $1").toLowerCase(Locale.ROOT);
     }
 }

@@ -77,6 +77,14 @@ class ImportCommandTest {
         assertDone("import @a.nff -o @b.scene");             // over files of its own
     }
 
+    @Test
+    void aFolderIsNoOBJ() throws IOException {
+        write("a.nff", NFF);
+        Files.createDirectory(folder.resolve("b.obj"));
+
+        assertRefused(ExitCode.NO_OUTPUT, "import @a.nff -o @b.scene", "simpleray: @b.obj: is a folder: give the scene another name");
+    }
+
     @ParameterizedTest
     @CsvSource({"b.obj", "b.mtl"})
     void aFileOfNoImportIsNotOverwritten(String name) throws IOException {

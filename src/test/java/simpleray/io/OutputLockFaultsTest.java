@@ -58,7 +58,7 @@ class OutputLockFaultsTest {
         }
         refuse("channel", new FileSystemException("x"));
         try (OutputLock lock = lock()) {
-            assertThat(lock.refusal()).isEqualTo("cannot be locked (FileSystem" + NOT_NOTICED);
+            assertThat(lock.refusal()).isEqualTo("cannot be locked (file system" + NOT_NOTICED);
         }
         assertThat(folder).isEmptyDirectory();
     }

@@ -17,6 +17,7 @@ import java.nio.channels.ServerSocketChannel;
 import java.nio.channels.SocketChannel;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.AccessDeniedException;
+import java.nio.file.DirectoryNotEmptyException;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
@@ -227,7 +228,8 @@ class OutputTargetTest {
         assertThat(OutputTarget.reason(new AccessDeniedException("x"))).isEqualTo("permission denied");
         assertThat(OutputTarget.reason(new IOException("why"))).isEqualTo("why");
         assertThat(OutputTarget.reason(new FileSystemException("x", null, "why"))).isEqualTo("why");
-        assertThat(OutputTarget.reason(new NoSuchFileException("x"))).isEqualTo("NoSuchFile");
+        assertThat(OutputTarget.reason(new NoSuchFileException("x"))).isEqualTo("no such file");
+        assertThat(OutputTarget.reason(new DirectoryNotEmptyException("x"))).isEqualTo("directory not empty");
     }
 
     @Test
