@@ -69,7 +69,9 @@ record DesktopTheme(String system, UnaryOperator<String> environment, Function<L
     private static String run(List<String> command) {
         Process process = null;
         try {
-            process = new ProcessBuilder(command).redirectError(ProcessBuilder.Redirect.DISCARD).start();
+            ProcessBuilder builder = new ProcessBuilder(command).redirectError(ProcessBuilder.Redirect.DISCARD);
+            builder.environment().putIfAbsent("HOME", System.getProperty("user.home"));     // else it keeps files where we were started
+            process = builder.start();
             process.getOutputStream().close();
             return !process.waitFor(PATIENCE, TimeUnit.MILLISECONDS) ? ""
                 : new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
