@@ -141,7 +141,8 @@ class AcceleratedIntersectorLampPlacesTest {
                 Vector outward = direction();
                 Object surface = around(shape, lamp, outward, new Material());
                 Scene scene = Scenes.of(surface);
-                Scenes.light(scene, new PointLight(lamp), new PointLight(at(lamp, outward, hair)), new PointLight(at(lamp, outward, -hair)));
+                Scenes.light(scene, new PointLight(lamp), new PointLight(at(lamp, outward, hair)),
+                    new PointLight(at(lamp, outward, -hair)));
                 RayStats stats = new RayStats();
                 Point eye = at(at(lamp, outward, 3 * scale), direction(), scale);
                 List<Intersector> intersectors = List.of(new BruteForceIntersector(scene),
@@ -162,7 +163,7 @@ class AcceleratedIntersectorLampPlacesTest {
                         for (int light = 0; light < 3; light++) {
                             boolean lit = tester.reaches(scene.getLight(light), light, at, new Colour(1, 1, 1));
                             if (lit != (light == 1)) {
-                                wrong.add(shape + ": light " + light + (lit ? " reaches" : " does not reach") + " it, N·L " + tester.facing);
+                                wrong.add(shape + " and light " + light + ": N·L is " + tester.facing);
                             }
                         }
                     }
