@@ -45,6 +45,8 @@ final class ViewerFrame extends JFrame implements EditorContext {
     private static final int DIVIDER = 6;
     private static final int LINES = 46;                      // the height of two lines of problems
     private static final double HALF = 0.5;
+    private static final int LOW = 360;                       // the least height: half of what small screens have at scale 2
+    private static final int MARGIN = 16;                     // wider than the edges that desktops draw round a window
     private static final String GONE = "gone";
     /** Milliseconds that a changed file with errors has to become whole: another program may still be writing it. */
     private static final int PATIENCE = 400;
@@ -105,7 +107,8 @@ final class ViewerFrame extends JFrame implements EditorContext {
             settings, this::close);
         setJMenuBar(menus.bar());
         PixelMenu.install(this, inspector, document, camera);
-        add(new ToolBar(menus.bar()).above(banner), BorderLayout.NORTH);
+        ToolBar tools = new ToolBar(menus.bar());
+        add(tools.above(banner), BorderLayout.NORTH);
         add(inspector.beside(split), BorderLayout.CENTER);
         add(status, BorderLayout.SOUTH);
         setDefaultCloseOperation(DO_NOTHING_ON_CLOSE);
@@ -117,7 +120,7 @@ final class ViewerFrame extends JFrame implements EditorContext {
         });
         picture.setListener(this::refresh);
         status.addRight(ZoomTool.label(picture));
-        setMinimumSize(new Dimension(320, 240));
+        setMinimumSize(new Dimension(Math.max(tools.getPreferredSize().width, menus.bar().getPreferredSize().width) + MARGIN, LOW));
         picture.setSpare(picture.spare().width, DIVIDER + LINES);
         desktop.placeWindow();
         validate();                                           // problems that are known at once find how high the window is

@@ -71,6 +71,7 @@ public final class OpenWindow implements AutoCloseable {
             FlatLightLaf.setup();
             ViewerFrame made = new ViewerFrame(source, request(width, height), () -> closed.set(true));
             made.picture().setZoom(new Zoom(false, 1), null);  // so that tests find its pixels on the screen
+            made.setMinimumSize(null);                        // tests of large pictures have small windows
             made.pack();                                      // however large the screen is
             made.setSize(Math.max(MIN_WIDTH, made.getWidth()), Math.max(MIN_HEIGHT, made.getHeight()));
             made.validate();

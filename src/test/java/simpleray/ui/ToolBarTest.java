@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.awt.event.KeyEvent;
 import java.util.List;
 import javax.swing.AbstractButton;
+import javax.swing.JComponent;
+import javax.swing.JFrame;
 import javax.swing.JTextArea;
 import javax.swing.JTree;
 import javax.swing.SwingUtilities;
@@ -12,6 +14,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import simpleray.render.Stage;
+import simpleray.ui.desktop.Preferences;
 import simpleray.ui.file.SceneSource;
 import simpleray.ui.picture.RenderJob;
 
@@ -42,6 +45,21 @@ class ToolBarTest {
         window.screen.press(KeyEvent.VK_1);
         window.untilShown("the first stage", TestScenes.rendered(TestScenes.THESIS, 90, 60, Stage.ORIGINAL));
         assertThat(pressed()).containsExactly("Original");
+    }
+
+    @Test
+    void theSmallestWindowShowsAllMenusAndButtonsAndAPicture() throws InterruptedException {
+        JFrame small = OpenWindow.ask(() -> OpenWindow.hidden(Preferences.none()));
+        OpenWindow.run(() -> {
+            small.setSize(1, 1);
+            small.validate();
+            JComponent tools = (JComponent) OpenWindow.all(small).filter(c -> "tools".equals(c.getName())).findFirst().orElseThrow();
+            for (JComponent row : List.of(tools, small.getJMenuBar())) {
+                assertThat(row.getWidth()).isGreaterThanOrEqualTo(row.getPreferredSize().width);
+            }
+            assertThat(small.getHeight()).isEqualTo(360);
+        });
+        OpenWindow.end(small);
     }
 
     @Test
