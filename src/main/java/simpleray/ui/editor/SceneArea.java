@@ -5,6 +5,7 @@ import java.awt.Color;
 import java.awt.Container;
 import java.awt.Graphics;
 import java.awt.Point;
+import java.awt.Rectangle;
 import java.awt.event.KeyEvent;
 import java.awt.event.MouseEvent;
 import java.awt.event.MouseWheelEvent;
@@ -126,6 +127,15 @@ final class SceneArea extends RSyntaxTextArea {
             end++;
         }
         return end;
+    }
+
+    @Override
+    public void scrollRectToVisible(Rectangle place) {
+        Rectangle whole = new Rectangle(place);
+        if (whole.x <= getInsets().left) {                    // at the start of a line the margin before it is seen, too
+            whole.add(new Point(0, whole.y));
+        }
+        super.scrollRectToVisible(whole);
     }
 
     @Override

@@ -73,6 +73,17 @@ class SceneEditorTest {
     }
 
     @Test
+    void afterALongLineTheTextIsBackAtItsMargin() {
+        OpenWindow.run(() -> area().setText("# " + "long ".repeat(200) + "\n" + TEXT.replace("\r", "")));
+        window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_HOME);
+        window.screen.press(KeyEvent.VK_END);
+        Screen.until("it is scrolled", () -> area().getVisibleRect().x > 100);
+        window.screen.press(KeyEvent.VK_HOME);
+
+        Screen.until("the margin is seen", () -> area().getVisibleRect().x == 0);
+    }
+
+    @Test
     void keysThatTypeAreNoShortcuts() {
         RenderJob before = window.job();
         window.screen.type("123 adsf ");
