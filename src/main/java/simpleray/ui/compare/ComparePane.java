@@ -8,6 +8,7 @@ import java.awt.event.KeyEvent;
 import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.concurrent.Executor;
+import java.util.function.DoubleSupplier;
 import javax.swing.BorderFactory;
 import javax.swing.DefaultComboBoxModel;
 import javax.swing.JButton;
@@ -23,7 +24,7 @@ final class ComparePane extends JPanel implements Scrollable {
 
     private final JComboBox<FinishedRender> left = choice("Left picture");
     private final JComboBox<FinishedRender> right = choice("Right picture");
-    private final CompareView view = new CompareView();
+    private final CompareView view;
     private final transient Executor looker;
     private boolean marked;
     private boolean listing;
@@ -32,9 +33,11 @@ final class ComparePane extends JPanel implements Scrollable {
      * Creates the pane.
      *
      * @param looker runs long tasks on another thread
+     * @param maxScale tells the largest scale that pictures are shown at, in screen pixels for a pixel
      */
-    ComparePane(Executor looker) {
+    ComparePane(Executor looker, DoubleSupplier maxScale) {
         super(new BorderLayout());
+        view = new CompareView(maxScale);
         this.looker = looker;
         setName("compare");
         JButton swap = new JButton("Swap");

@@ -10,11 +10,15 @@ import java.awt.RenderingHints;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.awt.image.BufferedImage;
+import java.util.function.DoubleSupplier;
 import simpleray.ui.widget.DrawnComponent;
 import simpleray.ui.widget.KeyBindings;
 
 /** Two pictures side by side, or one over the other with a divider between their visible parts. */
 final class CompareView extends DrawnComponent {
+    /** The property that changes with the scale. */
+    static final String SCALE = "scale";
+
     private static final long serialVersionUID = 1L;
     private static final Color SURROUND = new Color(0x3C3F41);
     private static final int GAP = 8;
@@ -26,11 +30,15 @@ final class CompareView extends DrawnComponent {
     private transient BufferedImage right;
     private transient BufferedImage leftMarks;                // painted over them; null for none
     private transient BufferedImage rightMarks;
+    private final transient DoubleSupplier maxScale;
     private boolean wiped;
+    private double shownScale = 1;
     private double divider = 0.5;                             // 0 at the left edge of the pictures, 1 at the right
 
-    CompareView() {
+    /** A view that shows pictures at most at a scale, in screen pixels for a pixel, and at a smaller one where that does not fit. */
+    CompareView(DoubleSupplier maxScale) {
         super("Comparison");
+        this.maxScale = maxScale;
         setName("comparison");
         setFocusable(true);
         setOpaque(true);
@@ -124,12 +132,18 @@ final class CompareView extends DrawnComponent {
         return fitted(right, new Rectangle(getWidth() - half, 0, half, getHeight()));
     }
 
-    /** {@return the middle of a room, at 100 % or as large as fits} */
-    private static Rectangle fitted(BufferedImage image, Rectangle room) {
+    /** {@return the scale of the left picture, or of the right one if that is there alone, in screen pixels for a pixel} */
+    double scale() {
+        BufferedImage image = left != null ? left : right;
+        return image == null ? 1 : ui() * (wiped ? place() : left != null ? leftPlace() : rightPlace()).width / image.getWidth();
+    }
+
+    /** {@return the middle of a room} */
+    private Rectangle fitted(BufferedImage image, Rectangle room) {
         if (image == null || room.isEmpty()) {
             return new Rectangle();
         }
-        double scale = Math.min(1, Math.min((double) room.width / image.getWidth(), (double) room.height / image.getHeight()));
+        double scale = Math.min(maxScale.getAsDouble() / ui(), Math.min((double) room.width / image.getWidth(), (double) room.height / image.getHeight()));
         int width = (int) Math.max(1, Math.round(image.getWidth() * scale));
         int height = (int) Math.max(1, Math.round(image.getHeight() * scale));
         return new Rectangle(room.x + (room.width - width) / 2, room.y + (room.height - height) / 2, width, height);
@@ -149,6 +163,9 @@ final class CompareView extends DrawnComponent {
             draw(canvas, rightMarks, rightPlace());
         }
         canvas.dispose();
+        double before = shownScale;
+        shownScale = scale();
+        firePropertyChange(SCALE, before, shownScale);
     }
 
     private void paintWiped(Graphics2D canvas) {

@@ -57,9 +57,15 @@ public final class Comparison {
     }
 
     private ComparePane newPane() {
-        ComparePane made = new ComparePane(looker);
+        ComparePane made = new ComparePane(looker, window.picture()::maxScale);
         made.setMarked(marks.isSelected());
+        window.picture().addPropertyChangeListener(SimpleRay.ZOOM, e -> made.view().repaint());
+        made.view().addPropertyChangeListener(CompareView.SCALE, e -> tellScale());
         return made;
+    }
+
+    private void tellScale() {
+        window.picture().setStandIn(isComparing() ? pane.get().view()::scale : null);
     }
 
     private HistogramPane newHistogram() {
@@ -152,9 +158,11 @@ public final class Comparison {
             SwingUtilities.updateComponentTreeUI(compared);       // the look may be another since
             compared.list(history.pictures());
             place.setViewportView(compared);
+            tellScale();
             compared.view().requestFocusInWindow();
         } else if (!isComparing() && place != null) {
             place.setViewportView(window.picture());
+            tellScale();
             place = null;
             compared.list(List.of());                         // or it would hold two that the machine may want back
             window.picture().requestFocusInWindow();

@@ -37,8 +37,8 @@ final class FinishedRender {
         this.request = request;
         width = picture.width();
         height = picture.height();
-        label = CLOCK.format(time) + "  " + new File(source.name()).getName() + ", " + request.stage() + ", " + width + " \u00D7 " + height
-            + ", " + Progress.time(seconds);
+        label = request.stage() + ", " + new File(source.name()).getName() + ", " + width + " \u00D7 " + height + ", "
+            + Progress.time(seconds) + ", at " + CLOCK.format(time);
         pixels = new SoftReference<>(packed(picture));
     }
 
@@ -108,7 +108,7 @@ final class FinishedRender {
         return source.name() + " " + String.join(" ", words.subList(4, words.size()));
     }
 
-    /** {@return its time, scene, stage, size and duration} */
+    /** {@return its stage, scene, size, duration and time} */
     @Override
     public String toString() {
         return label;

@@ -180,7 +180,7 @@ final class RaysView extends DrawnComponent {
             return;
         }
         Place place = new Place(rays.scene, rays.segments.get(0).from(), pose(), getSize(),
-            getGraphicsConfiguration().getDefaultTransform().getScaleX());
+            ui());
         next.set(new Order(place, rays, kinds, count, selected, fine));
         if (drawingFine != null) {
             drawingFine.cancel(true);

@@ -75,7 +75,7 @@ public final class ZoomTool {
         JLabel label = new JLabel();
         label.setName("zoom");
         label.getAccessibleContext().setAccessibleDescription("Zoom");
-        Runnable show = () -> label.setText(Zoom.percent(picture.placed().scale()));
+        Runnable show = () -> label.setText(Zoom.percent(picture.shownScale()));
         picture.addPropertyChangeListener(ZoomedComponent.ZOOM, e -> show.run());
         picture.addComponentListener(new ComponentAdapter() {
             @Override

@@ -1,10 +1,10 @@
 package simpleray.ui.picture;
 
 import java.awt.Dimension;
-import java.awt.GraphicsConfiguration;
 import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.geom.Rectangle2D;
+import java.util.function.DoubleSupplier;
 import javax.swing.JScrollPane;
 import javax.swing.JViewport;
 import javax.swing.Scrollable;
@@ -14,7 +14,7 @@ import simpleray.ui.widget.DrawnComponent;
 /** A component that shows a picture at the scale of a {@link Zoom}, and can be scrolled where that is larger. For the event thread. */
 abstract class ZoomedComponent extends DrawnComponent implements Scrollable {
     /** The property that changes with the zoom. */
-    static final String ZOOM = "zoom";
+    public static final String ZOOM = "zoom";
 
     private static final long serialVersionUID = 1L;
     private static final int LINE = 16;
@@ -24,6 +24,7 @@ abstract class ZoomedComponent extends DrawnComponent implements Scrollable {
     private transient Zoom.Place held;                        // from the corner of what can be seen; null if it is where the zoom says
     private Dimension heldIn;                                 // the scroll pane's size meanwhile
     private transient Zoom zoom = Zoom.FIT;
+    private transient DoubleSupplier standIn;                 // tells the scale of what is shown in its place; null if it is shown itself
 
     ZoomedComponent() {
         super("Picture");
@@ -107,12 +108,6 @@ abstract class ZoomedComponent extends DrawnComponent implements Scrollable {
         return new Point((int) Math.round(Math.max(0, -held.x()) / ui()), (int) Math.round(Math.max(0, -held.y()) / ui()));
     }
 
-    /** {@return how many screen pixels a unit of the component's size has} */
-    public final double ui() {
-        GraphicsConfiguration screen = getGraphicsConfiguration();
-        return screen == null ? 1 : screen.getDefaultTransform().getScaleX();
-    }
-
     /** {@return where the picture is in the component: in the middle, at its scale, or as large as fits} */
     public final Rectangle place() {
         Zoom.Place place = placed();
@@ -150,6 +145,26 @@ abstract class ZoomedComponent extends DrawnComponent implements Scrollable {
 
     final Zoom zoom() {
         return zoom;
+    }
+
+    /** {@return the largest scale of what stands in for this: infinite while pictures are fitted} */
+    public final double maxScale() {
+        return zoom.fitted() ? Double.POSITIVE_INFINITY : zoom.scale();
+    }
+
+    /**
+     * Says that something else is shown in place of this; to be called again when its scale has changed.
+     *
+     * @param scale tells its scale; null if this is shown itself
+     */
+    public final void setStandIn(DoubleSupplier scale) {
+        standIn = scale;
+        firePropertyChange(ZOOM, null, zoom);
+    }
+
+    /** {@return screen pixels for a pixel of what is shown} */
+    final double shownScale() {
+        return standIn == null ? placed().scale() : standIn.getAsDouble();
     }
 
     /**

@@ -1,5 +1,6 @@
 package simpleray.ui.widget;
 
+import java.awt.GraphicsConfiguration;
 import javax.accessibility.AccessibleContext;
 import javax.accessibility.AccessibleRole;
 import javax.swing.JComponent;
@@ -15,6 +16,12 @@ public abstract class DrawnComponent extends JComponent {
      */
     public DrawnComponent(String accessibleName) {
         getAccessibleContext().setAccessibleName(accessibleName);
+    }
+
+    /** {@return how many screen pixels a unit of the component's size has} */
+    public final double ui() {
+        GraphicsConfiguration screen = getGraphicsConfiguration();
+        return screen == null ? 1 : screen.getDefaultTransform().getScaleX();
     }
 
     @Override

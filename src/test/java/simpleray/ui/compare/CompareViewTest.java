@@ -97,6 +97,31 @@ class CompareViewTest {
     }
 
     @Test
+    void aFittedPictureIsFittedWhileItIsComparedAndTheLabelTellsTheScale() {
+        window.screen.press(KeyEvent.VK_F);
+        window.screen.press(KeyEvent.VK_W);
+        Screen.until("the pictures fill the room", () -> view() != null && view().place().height == view().getHeight()
+            && view().getHeight() > 2 * HEIGHT);
+        Screen.until("the label tells it", () -> window.label("zoom").equals(Math.round(1000.0 * view().place().width / WIDTH) / 10.0
+            + " %"));
+        window.screen.press(KeyEvent.VK_B);
+        Screen.until("the label tells the smaller scale", () -> window.label("zoom").equals(
+            Math.round(1000.0 * view().leftPlace().width / WIDTH) / 10.0 + " %") && view().leftPlace().width < view().getWidth() / 2);
+
+        window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_0);
+        untilShows("the first picture at 100 %", () -> view().leftPlace(), whole);
+        assertThat(window.label("zoom")).isEqualTo("100 %");
+        window.screen.press(KeyEvent.VK_B);
+        window.untilShown("the picture alone", lighting);
+    }
+
+    @Test
+    void theListsBeginWithTheStage() {
+        assertThat(OpenWindow.ask(() -> window.comparison().pictures().toString()))
+            .matches("\\[final, thesis\\.scene, 120 × 90, .*, lighting, thesis\\.scene, 120 × 90, .*at \\d\\d:\\d\\d:\\d\\d\\]");
+    }
+
+    @Test
     void oneModeEndsTheOther() {
         window.screen.press(KeyEvent.VK_W);
         untilWiped(0.5);

@@ -67,7 +67,7 @@ class HistogramTest {
         assertThat(marks.getRGB(0, 0, 2, 2, null, 0, 2)).containsExactly(0, Clipped.ABOVE_COLOUR, 0, Clipped.BELOW_COLOUR);
         assertThat(finished.histogram().pixels()).isEqualTo(4);
         assertThat(finished.histogram().above(0)).isEqualTo(1);
-        assertThat(finished).hasToString("09:05:07  , final, 2 \u00D7 2, 1.5 s");
+        assertThat(finished).hasToString("final, , 2 \u00D7 2, 1.5 s, at 09:05:07");
         assertThat(finished.options()).isEqualTo(" --size 2x2");
     }
 
