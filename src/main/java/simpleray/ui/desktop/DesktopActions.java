@@ -162,7 +162,7 @@ public final class DesktopActions {
             made = null;
         }
         copyPicture.setEnabled(made != null && made.picture != null);
-        copyCommand.setEnabled(made != null && made.source instanceof FileSource);   // a text that is in no file cannot be named
+        copyCommand.setEnabled(made != null);
     }
 
     /**
@@ -194,6 +194,10 @@ public final class DesktopActions {
 
     private void copyCommand() {
         SceneSource scene = made.source;
+        if (!(scene instanceof FileSource)) {
+            window.say("A command line names the scene's file, and this text is not saved: save the scene first");
+            return;
+        }
         String line = CommandWords.line(scene.path(), scene.reach(), PictureDialogs.pictureName(scene), made.frame, made.request);
         copy(new StringSelection(line), "Copied the command line");
     }

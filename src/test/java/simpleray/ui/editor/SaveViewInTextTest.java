@@ -66,12 +66,14 @@ class SaveViewInTextTest {
         Screen.until("it is rendered", () -> window.picture().whole() != null && !window.picture().isBusy()
             && window.picture().job().snapshot().settings().camera != null && window.picture().request().settings().camera == null);
         assertThat(OpenWindow.ask(() -> window.document().isChanged())).isTrue();
-        assertThat(window.canDo("Copy Command Line")).isFalse();
+        window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_L);
+        assertThat(window.status()).isEqualTo("A command line names the scene's file, and this text is not saved: save the scene first");
 
         window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_S);
         Screen.until("it is saved", () -> !window.document().isChanged());
         assertThat(Files.readString(scene)).isEqualTo(typed + CAMERA);
-        Screen.until("now a command line can name it", () -> window.item("Copy Command Line").isEnabled());
+        window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_L);
+        Screen.until("now a command line can name it", () -> window.status().equals("Copied the command line"));
     }
 
     private void save() {

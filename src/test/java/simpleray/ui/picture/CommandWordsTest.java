@@ -151,8 +151,9 @@ class CommandWordsTest {
         try (OpenWindow window = new OpenWindow(SceneSource.text(text), 16, 16)) {
             window.untilState(RenderJob.State.FINISHED);
 
-            assertThat(window.canDo("Copy Command Line")).isFalse();
             assertThat(window.canDo("Copy Picture")).isTrue();
+            window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_L);
+            assertThat(window.status()).contains("save the scene first");
         }
     }
 
