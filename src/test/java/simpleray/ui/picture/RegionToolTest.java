@@ -66,6 +66,18 @@ class RegionToolTest {
     }
 
     @Test
+    void aFinishedPictureHasTheRegionAlready() throws AWTException {
+        gate.open();
+        window = new OpenWindow(SceneSource.file(TestScenes.THESIS), SIDE, SIDE);
+        window.untilState(RenderJob.State.FINISHED);
+        RenderJob job = window.job();
+        draw(REGION);
+        Screen.until("the region is set", () -> REGION.equals(window.picture().regions().region()));
+
+        assertThat(window.job()).isSameAs(job);
+    }
+
+    @Test
     void regionOnlyRendersItAloneAndEscapeBringsTheRest() throws AWTException {
         gate.open();
         window = new OpenWindow(SceneSource.file(TestScenes.THESIS), SIDE, SIDE);
