@@ -8,7 +8,6 @@ import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.io.File;
 import javax.swing.BorderFactory;
-import javax.swing.JComponent;
 import javax.swing.JFrame;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
@@ -37,6 +36,7 @@ import simpleray.ui.picture.SimpleRay;
 import simpleray.ui.picture.ZoomTool;
 import simpleray.ui.widget.Banner;
 import simpleray.ui.widget.Look;
+import simpleray.ui.widget.SidePanes;
 import simpleray.ui.widget.Workers;
 
 /** The window: menus, the picture, problems of the scene if there are any, and a status bar. For the event thread, but for await. */
@@ -44,7 +44,6 @@ final class ViewerFrame extends JFrame implements EditorContext {
     private static final long serialVersionUID = 1L;
     private static final int DIVIDER = 6;
     private static final int LINES = 46;                      // the height of two lines of problems
-    private static final double HALF = 0.5;
     private static final int LOW = 360;                       // the least height: half of what small screens have at scale 2
     private static final int MARGIN = 16;                     // wider than the edges that desktops draw round a window
     private static final String GONE = "gone";
@@ -57,7 +56,7 @@ final class ViewerFrame extends JFrame implements EditorContext {
     private final DiagnosticsPane problems = new DiagnosticsPane(document::goTo);
     private final Banner banner = new Banner();
     private final JSplitPane split;
-    private final JSplitPane beside = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT);
+    private final SidePanes sides = new SidePanes();
     private final JPanel pictured = new JPanel(new BorderLayout());   // the picture, the camera's line, and the time line of a film
     private final StatusBar status = new StatusBar();
     private final transient DesktopActions desktop;
@@ -86,10 +85,8 @@ final class ViewerFrame extends JFrame implements EditorContext {
         picture = new SimpleRay(source, request);
         patience.setRepeats(false);
         timeLine = new TimeLine(this);
-        beside.setBorder(BorderFactory.createEmptyBorder());
-        beside.setResizeWeight(HALF);
-        beside.setDividerSize(0);                             // until the scene's text is shown
-        split = new JSplitPane(JSplitPane.VERTICAL_SPLIT, beside, null);
+        split = new JSplitPane(JSplitPane.VERTICAL_SPLIT, sides, null);
+        split.setBorder(BorderFactory.createEmptyBorder());
         split.setResizeWeight(1);
         split.setDividerSize(0);                              // until there are problems to show
         inspector = new Inspector(this, line -> status.showPixel(line.isBlank() ? document.valueLine() : line), document::goTo);
@@ -101,7 +98,7 @@ final class ViewerFrame extends JFrame implements EditorContext {
         pictured.add(timeLine.below(new JScrollPane(picture)), BorderLayout.CENTER);
         pictured.add(camera.line(), BorderLayout.SOUTH);
         pictured.setMinimumSize(new Dimension());
-        beside.setLeftComponent(pictured);
+        sides.setLeftComponent(pictured);
         PictureSettings settings = new PictureSettings(this, document::show, document::text, document::replace);
         menus = new ViewerMenus(picture, dialogs, desktop, new SceneMenu(document, problems), inspector, comparison, camera, timeLine,
             settings, this::close);
@@ -109,7 +106,7 @@ final class ViewerFrame extends JFrame implements EditorContext {
         PixelMenu.install(this, inspector, document, camera);
         ToolBar tools = new ToolBar(menus.bar());
         add(tools.above(banner), BorderLayout.NORTH);
-        add(inspector.beside(split), BorderLayout.CENTER);
+        add(split, BorderLayout.CENTER);
         add(status, BorderLayout.SOUTH);
         setDefaultCloseOperation(DO_NOTHING_ON_CLOSE);
         addWindowListener(new WindowAdapter() {
@@ -135,6 +132,11 @@ final class ViewerFrame extends JFrame implements EditorContext {
     @Override
     public SimpleRay picture() {
         return picture;
+    }
+
+    @Override
+    public SidePanes sides() {
+        return sides;
     }
 
     @Override
@@ -179,9 +181,9 @@ final class ViewerFrame extends JFrame implements EditorContext {
     /** Shows the picture; or, while there is no scene, what one could open. */
     private void showPicture(boolean scene) {
         if (!scene) {
-            beside.setLeftComponent(desktop.welcome());
-        } else if (beside.getLeftComponent() != pictured) {
-            beside.setLeftComponent(pictured);
+            sides.setLeftComponent(desktop.welcome());
+        } else if (sides.getLeftComponent() != pictured) {
+            sides.setLeftComponent(pictured);
             validate();
             picture.requestFocusInWindow();
         }
@@ -221,17 +223,6 @@ final class ViewerFrame extends JFrame implements EditorContext {
         String name = new File(opened.name()).getName();
         setTitle(name.isEmpty() ? "SimpleRay" : (document.isChanged() ? "*" : "") + name + " - SimpleRay");
         getRootPane().putClientProperty("Window.documentModified", document.isChanged());      // a Mac's own sign
-    }
-
-    @Override
-    public void showBeside(JComponent component) {
-        beside.setRightComponent(component);
-        beside.setDividerSize(component == null ? 0 : DIVIDER);
-        validate();
-        if (component != null) {
-            beside.setDividerLocation(HALF);
-            validate();
-        }
     }
 
     @Override

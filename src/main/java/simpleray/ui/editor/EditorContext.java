@@ -1,6 +1,5 @@
 package simpleray.ui.editor;
 
-import javax.swing.JComponent;
 import simpleray.ui.file.SceneSource;
 import simpleray.ui.picture.SceneReport;
 import simpleray.ui.picture.ViewerContext;
@@ -10,13 +9,6 @@ import simpleray.ui.widget.Banner;
 public interface EditorContext extends ViewerContext {
     /** {@return the notices at the top of the window} */
     Banner banner();
-
-    /**
-     * Shows something beside the picture.
-     *
-     * @param component the component; null for nothing
-     */
-    void showBeside(JComponent component);
 
     /**
      * Renders the scene as it was found on the disk. If it has errors, they are shown only if it does not change again at once.

@@ -94,14 +94,16 @@ public final class SceneDocument {
         return editor;
     }
 
-    /** Shows the text or hides it; its changes stay. */
+    /** Shows the text, in front, or hides it; its changes stay. */
     void toggle() {
-        if (shown) {
+        if (shown && window.sides().raise(editor)) {
+            editor.area().requestFocusInWindow();
+        } else if (shown) {
             shown = false;
             window.banner().hide(TEXT);
             window.tellValue(" ");
             outline.show(0);
-            window.showBeside(null);
+            window.sides().showText(null);
             window.picture().requestFocusInWindow();
         } else {
             show(() -> editor.area().requestFocusInWindow());
@@ -120,7 +122,9 @@ public final class SceneDocument {
         make();
         if (!shown) {
             shown = true;
-            window.showBeside(editor);
+            window.sides().showText(editor);
+        } else {
+            window.sides().raise(editor);
         }
         if (saved == null) {
             read(then);

@@ -25,7 +25,7 @@ public final class SceneMenu {
     public SceneMenu(SceneDocument document, DiagnosticsPane problems) {
         this.document = document;
         menu.setMnemonic(KeyEvent.VK_N);
-        text = new JCheckBoxMenuItem(KeyBindings.action("Scene Text", "control E", document::toggle));
+        text = new JCheckBoxMenuItem(KeyBindings.action("Scene Text", "control E", this::toggle));
         Action render = KeyBindings.action("Render Text", "control ENTER", document::render);
         Action save = KeyBindings.action("Save Scene", "control shift S", document::save);
         saveAs = KeyBindings.action("Save Scene As\u2026", "control alt S", document::saveAs);
@@ -47,6 +47,11 @@ public final class SceneMenu {
         menu.add(next);
         menu.add(previous);
         all = List.of(text.getAction(), render, save, saveAs, colour, find, next, previous);
+    }
+
+    private void toggle() {
+        document.toggle();
+        text.setSelected(document.isShown());
     }
 
     /** {@return the action that begins a new scene} */

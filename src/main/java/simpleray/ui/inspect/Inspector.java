@@ -1,7 +1,6 @@
 package simpleray.ui.inspect;
 
 import java.awt.Color;
-import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.Graphics2D;
 import java.awt.Point;
@@ -39,6 +38,7 @@ import simpleray.ui.picture.SimpleRay;
 import simpleray.ui.picture.ViewerContext;
 import simpleray.ui.widget.KeyBindings;
 import simpleray.ui.widget.Lazy;
+import simpleray.ui.widget.SidePanes;
 
 /**
  * Explains single pixels: the one under the mouse in the status bar, the one that was clicked or that the pixel cursor is on in a pane. It
@@ -66,9 +66,10 @@ public final class Inspector {
     private final JCheckBoxMenuItem vectors = new JCheckBoxMenuItem(
         KeyBindings.action("Normals and Halfway Vectors", "shift V", this::showVectors));
     private final JSplitPane panes = new JSplitPane(JSplitPane.VERTICAL_SPLIT);
-    private final JSplitPane beside = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT);
+    private final SidePanes sides;
     private final ExecutorService teller;
 
+    private JComponent side;                                  // what is shown beside the picture; null for nothing
     private boolean storyWanted;                              // a story is shown, or is to be once it is told
     private boolean dragging;                                 // the pixel cursor, by the mouse
     private Boolean untold;                                   // a story was asked for: whether to have the keys; null once it is there
@@ -93,6 +94,7 @@ public final class Inspector {
      */
     public Inspector(ViewerContext window, Consumer<String> hoverLine, IntConsumer goTo) {
         picture = window.picture();
+        sides = window.sides();
         status = window::say;
         teller = window.workers().stopping("simpleray-inspector");
         this.hoverLine = hoverLine;
@@ -149,7 +151,13 @@ public final class Inspector {
         picture.addMouseMotionListener(mouse);
         picture.setMark(this::paintCursor);
         picture.setGrip(this::isGrip);
-        picture.setSpare(DIVIDER + StoryPane.WIDTH, picture.spare().height);
+        spare();
+        sides.addPropertyChangeListener(JSplitPane.DIVIDER_SIZE_PROPERTY, e -> spare());
+    }
+
+    /** A fitted picture leaves room for the story, unless that comes where something is already. */
+    private void spare() {
+        picture.setSpare(sides.isOpen() ? 0 : DIVIDER + StoryPane.WIDTH, picture.spare().height);
     }
 
     /**
@@ -161,6 +169,7 @@ public final class Inspector {
         picture.requestFocusInWindow();
         setCursor(pixel);
         storyWanted = true;
+        sides.raise(side);
         tell(false);
     }
 
@@ -172,6 +181,7 @@ public final class Inspector {
     public void showRays(Point pixel) {
         setCursor(pixel);
         raysItem.setSelected(true);
+        sides.raise(side);
         tell(false);
     }
 
@@ -218,20 +228,6 @@ public final class Inspector {
     }
 
     /**
-     * {@return a component that shows another, and beside it the story while there is one}
-     *
-     * @param other the other component
-     */
-    public Component beside(Component other) {
-        beside.setLeftComponent(other);
-        beside.setRightComponent(null);
-        beside.setResizeWeight(1);
-        beside.setBorder(null);
-        beside.setDividerSize(0);
-        return beside;
-    }
-
-    /**
      * Takes notice of a rendering: it is the one that is told of as soon as a pixel of it is shown, or earlier if nothing is shown yet.
      *
      * @param job the rendering
@@ -270,9 +266,7 @@ public final class Inspector {
         if (shown != null) {
             Point from = start();
             setCursor(cursor == null ? from : new Point(from.x + dx, from.y + dy));
-            Rectangle place = place(cursor);
-            place.grow(FRAME, FRAME);
-            picture.scrollRectToVisible(place);
+            showCursor();
             if (isOpen()) {
                 tell(false);
             }
@@ -284,6 +278,7 @@ public final class Inspector {
     private void openStory() {
         setCursor(start());
         storyWanted = true;
+        sides.raise(side);
         tell(true);
     }
 
@@ -299,9 +294,12 @@ public final class Inspector {
     }
 
     private void toggleRays() {
-        if (!raysItem.isSelected()) {
+        if (!raysItem.isSelected() && sides.raise(side)) {
+            raysItem.setSelected(true);
+        } else if (!raysItem.isSelected()) {
             closePanes();
         } else if (shown != null) {
+            sides.raise(side);
             setCursor(start());
             tell(false);
         }
@@ -310,15 +308,14 @@ public final class Inspector {
     /** Shows what is still wanted; without that, takes the pixel cursor away. */
     private void closePanes() {
         if (storyWanted || isRaysOpen()) {
-            arrange();
+            arrange(false);
         } else {
             cancelTelling();
             story = null;
             mark(null, null);
             cursor = null;
-            beside.setRightComponent(null);
-            beside.setDividerSize(0);
-            picture.setSpare(DIVIDER + StoryPane.WIDTH, picture.spare().height);
+            side = null;
+            sides.showPixel(null, 0);
         }
         picture.requestFocusInWindow();
     }
@@ -400,7 +397,7 @@ public final class Inspector {
     }
 
     private boolean isOpen() {
-        return beside.getRightComponent() != null;
+        return side != null;
     }
 
     private Point start() {
@@ -544,11 +541,7 @@ public final class Inspector {
         story = told;
         mark(null, null);
         untold = null;
-        if (focus || isOpen()) {
-            arrange();
-        } else {
-            picture.keepPlace(this::arrange);                 // what was clicked stays under the mouse
-        }
+        arrange(!focus);
         if (root != null && storyWanted) {
             pane.get().show("Pixel " + cursor.x + ", " + cursor.y, root, focus);
         }
@@ -557,42 +550,34 @@ public final class Inspector {
         }
     }
 
-    /** Puts the rays above the story, or that beside the picture which is wanted alone. */
-    private void arrange() {
+    /** Puts the rays above the story, or that beside the picture which is wanted alone; what was clicked stays under the mouse. */
+    private void arrange(boolean clicked) {
         JComponent above = isRaysOpen() ? rays.get() : null;
         JComponent below = storyWanted ? pane.get() : null;
         JComponent right = above != null && below != null ? panes : above != null ? above : below;
-        if (beside.getRightComponent() == right && (right != panes || panes.getTopComponent() == above)) {
+        if (side == right && (right != panes || panes.getTopComponent() == above)) {
             return;
         }
-        boolean wasWide = beside.getRightComponent() == panes || rays.isMade() && beside.getRightComponent() == rays.get();
-        boolean wide = above != null;
-        int divider = beside.getDividerLocation();
-        boolean keep = isOpen() && wasWide == wide;
-        for (JComponent part : new JComponent[] {above, below, right}) {
-            if (part != null && !part.isShowing()) {
-                SwingUtilities.updateComponentTreeUI(part);   // the look may have changed while it was in no window
-            }
-        }
+        side = right;
         panes.setTopComponent(right == panes ? above : null);
         panes.setBottomComponent(right == panes ? below : null);
-        beside.setRightComponent(right);
-        beside.setDividerSize(DIVIDER);
-        picture.setSpare(0, picture.spare().height);
-        int half = beside.getWidth() / 2;
-        beside.setDividerLocation(keep ? divider : wide ? half : besideClick(Math.max(half,
-            beside.getWidth() - DIVIDER - pane.get().getPreferredSize().width)));
-        beside.validate();
+        int pixel = SwingUtilities.convertRectangle(picture, place(cursor), sides).x + DIVIDER * FRAME;
+        if (clicked) {
+            picture.keepPlace(() -> sides.showPixel(right, pixel));
+        } else {
+            sides.showPixel(right, pixel);
+        }
         if (right == panes) {
             panes.setDividerLocation(RAYS_SHARE);
             panes.validate();
         }
+        showCursor();
     }
 
-    /** {@return a place of the divider so far to the right that it does not cover the pixel that the story is about} */
-    private int besideClick(int divider) {
-        int pixel = SwingUtilities.convertRectangle(picture, place(cursor), beside).x + DIVIDER * FRAME;
-        return Math.max(divider, Math.min(pixel, beside.getWidth() - DIVIDER - pane.get().getMinimumSize().width));
+    private void showCursor() {
+        Rectangle place = place(cursor);
+        place.grow(FRAME, FRAME);
+        picture.scrollRectToVisible(place);
     }
 
     private void cancelTelling() {

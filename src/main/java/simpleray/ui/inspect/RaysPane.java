@@ -19,6 +19,7 @@ import simpleray.scene.RayTree;
 final class RaysPane extends JPanel {
     private static final long serialVersionUID = 1L;
     private static final int GAP = 6;
+    private static final int MIN_WIDTH = 360;
 
     private final RaysView view;
     private final JLabel title = new JLabel(" ");
@@ -50,7 +51,8 @@ final class RaysPane extends JPanel {
         add(head, BorderLayout.NORTH);
         add(view, BorderLayout.CENTER);
         add(place, BorderLayout.SOUTH);
-        setMinimumSize(new Dimension(0, 0));
+        setMinimumSize(new Dimension(MIN_WIDTH, 0));
+        setPreferredSize(new Dimension(Short.MAX_VALUE, MIN_WIDTH));   // all that the picture leaves
     }
 
     private RaysView view() {

@@ -2,6 +2,7 @@ package simpleray.ui.picture;
 
 import javax.swing.JFrame;
 import simpleray.ui.file.SceneSource;
+import simpleray.ui.widget.SidePanes;
 import simpleray.ui.widget.Workers;
 
 /** The window, as its parts know it. For the event thread unless a method says otherwise. */
@@ -11,6 +12,9 @@ public interface ViewerContext {
 
     /** {@return the picture} */
     SimpleRay picture();
+
+    /** {@return the picture, and what is beside it} */
+    SidePanes sides();
 
     /** {@return its threads for tasks that take long} */
     Workers workers();

@@ -1,0 +1,135 @@
+package simpleray.ui.widget;
+
+import java.awt.Component;
+import java.awt.event.ComponentAdapter;
+import java.awt.event.ComponentEvent;
+import javax.swing.BorderFactory;
+import javax.swing.JComponent;
+import javax.swing.JSplitPane;
+import javax.swing.JTabbedPane;
+import javax.swing.SwingUtilities;
+
+/**
+ * The picture, and beside it the scene's text and what is told about a pixel: both in columns of their own where there is room for three, else
+ * one behind the other, with tabs. They leave the picture two fifths of the width at least. For the event thread.
+ */
+public final class SidePanes extends JSplitPane {
+    private static final long serialVersionUID = 1L;
+    private static final int DIVIDER = 6;
+    private static final double HALF = 0.5;
+    private static final double MIN_SHARE = 0.4;              // of the picture
+    private static final int MIN_THREE = 1600;                // the width from which there are three columns
+
+    private final JTabbedPane tabs = new JTabbedPane();
+    private final JSplitPane columns = new JSplitPane(HORIZONTAL_SPLIT);
+    private JComponent text;                                  // null while it is not wanted
+    private JComponent pixel;
+    private boolean wide;                                     // what is beside the picture now takes all that the picture leaves
+
+    /** Creates a pane with nothing in it. */
+    public SidePanes() {
+        super(HORIZONTAL_SPLIT);
+        setBorder(null);
+        setDividerSize(0);
+        setRightComponent(null);
+        columns.setBorder(BorderFactory.createEmptyBorder());
+        columns.setResizeWeight(HALF);
+        tabs.setName("panes");
+        tabs.setFocusable(false);                             // keys stay with the picture
+        addComponentListener(new ComponentAdapter() {
+            @Override
+            public void componentResized(ComponentEvent e) {
+                int least = (int) Math.ceil(MIN_SHARE * getWidth());
+                if (isOpen() && getDividerLocation() < least) {
+                    setDividerLocation(least);
+                }
+            }
+        });
+    }
+
+    /**
+     * Shows the scene's text, in front.
+     *
+     * @param other the text; null to hide it
+     */
+    public void showText(JComponent other) {
+        prepare(other);
+        text = other;
+        arrange(other, 0);
+    }
+
+    /**
+     * Shows what is told about a pixel, in front.
+     *
+     * @param other what is told; null to hide it
+     * @param free how far from the left the picture is to be seen, if that leaves enough for what is told
+     */
+    public void showPixel(JComponent other, int free) {
+        prepare(other);
+        pixel = other;
+        arrange(other, free);
+    }
+
+    /** The look may have changed while something was in no window. */
+    private static void prepare(JComponent other) {
+        if (other != null && !other.isShowing()) {
+            SwingUtilities.updateComponentTreeUI(other);
+        }
+    }
+
+    /** {@return whether there is something beside the picture} */
+    public boolean isOpen() {
+        return getRightComponent() != null;
+    }
+
+    /**
+     * Brings what is beside the picture to the front.
+     *
+     * @param part the text, or what is told about a pixel; null for nothing
+     * @return whether it was behind the other one
+     */
+    public boolean raise(JComponent part) {
+        boolean hidden = part != null && tabs.indexOfComponent(part) >= 0 && tabs.getSelectedComponent() != part;
+        if (hidden) {
+            tabs.setSelectedComponent(part);
+        }
+        return hidden;
+    }
+
+    private void arrange(JComponent front, int free) {
+        boolean both = text != null && pixel != null;
+        boolean three = both && getWidth() >= MIN_THREE;
+        JComponent side = three ? columns : both ? tabs : text != null ? text : pixel;
+        boolean keep = isOpen() && wide;
+        int divider = getDividerLocation();
+        tabs.removeAll();
+        columns.removeAll();
+        if (three) {
+            columns.updateUI();
+            columns.setLeftComponent(text);
+            columns.setRightComponent(pixel);
+        } else if (both) {
+            tabs.updateUI();
+            tabs.addTab("Text", text);
+            tabs.addTab("Pixel", pixel);
+            tabs.setSelectedComponent(front != null ? front : text);
+        }
+        setRightComponent(side);
+        setDividerSize(side == null ? 0 : DIVIDER);
+        if (side == null) {
+            validate();
+            return;
+        }
+        int width = getWidth();
+        int alone = width - DIVIDER - side.getPreferredSize().width;
+        wide = text != null || alone < width / 2;
+        setResizeWeight(wide ? HALF : 1);
+        setDividerLocation(keep && wide ? divider : three ? (int) Math.ceil(MIN_SHARE * width)
+            : Math.max(wide ? width / 2 : alone, Math.min(free, width - DIVIDER - side.getMinimumSize().width)));
+        validate();
+        if (three) {
+            columns.setDividerLocation(HALF);
+            columns.validate();
+        }
+    }
+}
