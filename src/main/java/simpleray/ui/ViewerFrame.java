@@ -351,14 +351,18 @@ final class ViewerFrame extends JFrame implements EditorContext {
             return;                                           // the same as before: the selection stays
         }
         problems.show(text, report.places());
-        JScrollPane pane = text.isEmpty() ? null : new JScrollPane(problems);
+        // warnings of a picture that is there take the room that it has left for them
+        boolean tall = picture.seen() == null || state == RenderJob.State.FAILED || report.places().stream().anyMatch(Diagnostic::error);
+        picture.keepUnlessFitted(() -> showProblems(text.isEmpty() ? null : new JScrollPane(problems), tall));
+    }
+
+    private void showProblems(JScrollPane pane, boolean tall) {
         picture.setSpare(picture.spare().width, pane == null ? DIVIDER + LINES : 0);
         split.setBottomComponent(pane);
         split.setDividerSize(pane == null ? 0 : DIVIDER);
-        if (pane != null) {
-            // warnings of a picture that is there take the room that it has left for them
-            boolean tall = picture.seen() == null || state == RenderJob.State.FAILED
-                || report.places().stream().anyMatch(Diagnostic::error);
+        if (pane == null) {
+            validate();
+        } else {
             divide(tall ? pane.getPreferredSize().height : LINES);
         }
     }

@@ -36,6 +36,7 @@ abstract class ZoomedComponent extends DrawnComponent implements Scrollable {
 
     /** To be called when the picture has another size. */
     final void resized() {
+        held = null;                                          // it had the place of the other size
         revalidate();
         firePropertyChange(ZOOM, null, zoom);                 // fitted, it has another scale now
     }
@@ -93,6 +94,19 @@ abstract class ZoomedComponent extends DrawnComponent implements Scrollable {
         port.setScrollMode(JViewport.SIMPLE_SCROLL_MODE);
         port.setViewPosition(hidden());
         repaint();
+    }
+
+    /**
+     * Changes what is below the picture so that it stays where it is; a fitted one has left room, or is fitted again.
+     *
+     * @param change changes the window, and lays it out
+     */
+    public final void keepUnlessFitted(Runnable change) {
+        if (zoom.fitted() && !isHeld()) {
+            change.run();
+        } else {
+            keepPlace(change);
+        }
     }
 
     /** {@return whether the picture stays where it was put, whatever its zoom says} */

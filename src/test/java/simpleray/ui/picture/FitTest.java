@@ -7,12 +7,16 @@ import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.Robot;
 import java.awt.event.InputEvent;
+import java.awt.event.KeyEvent;
 import java.nio.file.Path;
+import java.util.concurrent.CountDownLatch;
 import javax.swing.JComponent;
 import javax.swing.JTree;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import simpleray.render.RenderRequest;
 import simpleray.ui.OpenWindow;
 import simpleray.ui.Screen;
@@ -101,24 +105,68 @@ class FitTest {
         assertThat(OpenWindow.ask(this::onScreen)).isEqualTo(before);
     }
 
-    private void clickStays(Point pixel) throws Exception {
-        Robot robot = new Robot();
-        Point at = OpenWindow.ask(() -> {
-            Rectangle all = onScreen();
-            Dimension size = window.picture().imageSize();
-            return new Point(all.x + (int) ((pixel.x + 0.5) * all.width / size.width), all.y + (int) ((pixel.y + 0.5) * all.height
-                / size.height));
+    @ParameterizedTest
+    @ValueSource(booleans = {false, true})
+    void thePictureAt100PerCentStaysWhereItIsWhenWarningsComeAndGo(boolean large) {
+        CountDownLatch go = new CountDownLatch(1);
+        window = new OpenWindow(TestScenes.watched(TestScenes.THESIS, ray -> {
+            try {
+                go.await();
+            } catch (InterruptedException e) {
+                Thread.currentThread().interrupt();
+            }
+        }), large ? 1500 : 200, large ? 1200 : 200, made -> made.frame().setSize(900, 700));
+        Rectangle before = OpenWindow.ask(this::onScreen);
+        assertThat(window.problems()).isNull();
+        go.countDown();
+        window.untilProblems("light 2");
+        assertThat(OpenWindow.ask(this::onScreen)).isEqualTo(before);
+
+        OpenWindow.run(() -> window.open(SceneSource.file(TestScenes.plain(folder.resolve("plain.scene"), 0.2, 0.4, 0.6))));
+        Screen.until("no warnings are left", () -> window.problems() == null);
+        assertThat(OpenWindow.ask(this::onScreen)).isEqualTo(before);
+    }
+
+    @Test
+    void thePixelIsInSightAlsoIfItsRaysAreAskedForAtOnce() throws Exception {
+        open(TestScenes.THESIS, OpenWindow.request(800, 300));
+        window.untilState(RenderJob.State.FINISHED);
+        Screen.until("it fits", () -> window.picture().place().width == window.picture().getWidth());
+        click(new Point(700, 200));
+        window.screen.press(KeyEvent.VK_V);
+        Screen.until("the rays are there", () -> OpenWindow.seen(JComponent.class, view -> "rays".equals(view.getName())) != null);
+        OpenWindow.run(() -> {
+            Rectangle all = window.picture().place();
+            Point pixel = new Point(all.x + 700 * all.width / 800, all.y + 200 * all.height / 300);
+            assertThat(window.picture().getVisibleRect().contains(pixel)).isTrue();
         });
-        Point clicked = OpenWindow.ask(() -> under(at));
-        robot.mouseMove(at.x, at.y);
-        robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
-        robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+    }
+
+    private void clickStays(Point pixel) throws Exception {
+        Point clicked = OpenWindow.ask(() -> under(at(pixel)));
+        Point at = click(pixel);
         Screen.until("its story is there", () -> OpenWindow.seen(JTree.class, tree -> "story".equals(tree.getName())) != null);
         OpenWindow.run(() -> {
             assertThat(under(at).distance(clicked)).isLessThanOrEqualTo(NEAR);
             JComponent seen = (JComponent) window.picture().getParent();
             assertThat(seen.getVisibleRect().contains(at.x - seen.getLocationOnScreen().x, at.y - seen.getLocationOnScreen().y)).isTrue();
         });
+    }
+
+    /** Clicks on a pixel of the picture; {@return its place on the screen} */
+    private Point click(Point pixel) throws Exception {
+        Robot robot = new Robot();
+        Point at = OpenWindow.ask(() -> at(pixel));
+        robot.mouseMove(at.x, at.y);
+        robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
+        robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+        return at;
+    }
+
+    private Point at(Point pixel) {
+        Rectangle all = onScreen();
+        Dimension size = window.picture().imageSize();
+        return new Point(all.x + (int) ((pixel.x + 0.5) * all.width / size.width), all.y + (int) ((pixel.y + 0.5) * all.height / size.height));
     }
 
     /** {@return the picture's pixel at a point of the screen} For the event thread. */
