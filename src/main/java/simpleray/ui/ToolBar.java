@@ -64,7 +64,8 @@ final class ToolBar extends JToolBar {
         return button;
     }
 
-    private static JMenuItem item(JMenuBar menus, String text) {
+    /** {@return the item of the menus that says something} */
+    static JMenuItem item(JMenuBar menus, String text) {
         return Arrays.stream(menus.getSubElements()).flatMap(menu -> Arrays.stream(menu.getSubElements()))
             .flatMap(popup -> Arrays.stream(popup.getSubElements())).map(MenuElement::getComponent).map(JMenuItem.class::cast)
             .filter(item -> item.getText().equals(text)).findFirst().orElseThrow();

@@ -103,6 +103,8 @@ final class ViewerFrame extends JFrame implements EditorContext {
         menus = new ViewerMenus(picture, dialogs, desktop, new SceneMenu(document, problems), inspector, comparison, camera, timeLine,
             settings, this::close);
         setJMenuBar(menus.bar());
+        desktop.remember(ToolBar.item(menus.bar(), "Wheel Zooms"), "wheel.zooms");
+        desktop.remember(ToolBar.item(menus.bar(), "Render While Typing"), "typing.renders");
         PixelMenu.install(this, inspector, document, camera);
         ToolBar tools = new ToolBar(menus.bar());
         add(tools.above(banner), BorderLayout.NORTH);

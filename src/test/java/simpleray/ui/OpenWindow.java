@@ -225,9 +225,12 @@ public final class OpenWindow implements AutoCloseable {
 
     /** {@return an item of a menu, whether its menu is open or not} */
     public JMenuItem item(String text) {
-        return ask(() -> Arrays.stream(frame.getJMenuBar().getSubElements()).flatMap(menu -> Arrays.stream(menu.getSubElements()))
-            .flatMap(popup -> Arrays.stream(popup.getSubElements())).map(e -> (JMenuItem) e.getComponent())
-            .filter(item -> item.getText().equals(text)).findFirst().orElseThrow());
+        return ask(() -> item(frame, text));
+    }
+
+    /** {@return an item of a menu of a window} For the event thread. */
+    public static JMenuItem item(JFrame window, String text) {
+        return ToolBar.item(window.getJMenuBar(), text);
     }
 
     public boolean canDo(String item) {

@@ -11,6 +11,7 @@ import javax.swing.Action;
 import javax.swing.JComponent;
 import javax.swing.JDialog;
 import javax.swing.JMenu;
+import javax.swing.JMenuItem;
 import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
 import simpleray.image.Picture;
@@ -125,6 +126,19 @@ public final class DesktopActions {
     /** {@return the Help menu} */
     public JMenu helpMenu() {
         return help.menu();
+    }
+
+    /**
+     * Ticks an item if it was ticked last, and remembers it from now on.
+     *
+     * @param item the item, which has the state of a window that remembers nothing
+     * @param name the name by which it is remembered
+     */
+    public void remember(JMenuItem item, String name) {
+        if (preferences.isChosen(name, item.isSelected()) != item.isSelected()) {
+            item.doClick(0);
+        }
+        item.addItemListener(e -> preferences.setChosen(name, item.isSelected()));
     }
 
     /**

@@ -184,6 +184,16 @@ public final class Preferences {
         change(all -> all.setProperty(LOOK, look.toString()));
     }
 
+    /** {@return what was chosen of a yes and a no; the other if that is not known} */
+    boolean isChosen(String name, boolean otherwise) {
+        String word = values.getProperty(name, "").strip().toLowerCase(Locale.ROOT);
+        return word.equals("true") || otherwise && !word.equals("false");
+    }
+
+    void setChosen(String name, boolean chosen) {
+        change(all -> all.setProperty(name, Boolean.toString(chosen)));
+    }
+
     /** Changes what is known here and, on a thread of its own, what the file says by now: another window may have written it, too. */
     private void change(Consumer<Properties> task) {
         task.accept(values);

@@ -3,6 +3,8 @@ package simpleray.ui.desktop;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.Rectangle;
+import java.awt.event.MouseEvent;
+import java.awt.event.MouseWheelEvent;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -11,12 +13,16 @@ import java.util.List;
 import java.util.Random;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import javax.swing.JFrame;
+import javax.swing.JLabel;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import simpleray.ui.OpenWindow;
 import simpleray.ui.Screen;
+import simpleray.ui.picture.SimpleRay;
+import simpleray.ui.picture.ViewerContext;
 import simpleray.ui.widget.Look;
 
 /** What windows remember, and files of it that are broken. */
@@ -64,6 +70,33 @@ class PreferencesTest {
 
         preferences.clearRecent();
         assertThat(preferences.recent()).isEmpty();
+    }
+
+    @Test
+    void whatTheWheelAndTypingDoIsRemembered() throws InterruptedException {
+        Path file = folder.resolve("window.properties");
+        JFrame first = OpenWindow.ask(() -> OpenWindow.hidden(Preferences.load(file)));
+        OpenWindow.run(() -> {
+            assertThat(OpenWindow.item(first, "Wheel Zooms").isSelected()).isFalse();
+            assertThat(OpenWindow.item(first, "Render While Typing").isSelected()).isTrue();
+            OpenWindow.item(first, "Wheel Zooms").doClick(0);
+            OpenWindow.item(first, "Render While Typing").doClick(0);
+        });
+        OpenWindow.end(first);
+        assertThat(file).content().contains("\ntyping.renders=false\n").contains("\nwheel.zooms=true\n");
+
+        JFrame next = OpenWindow.ask(() -> OpenWindow.hidden(Preferences.load(file)));
+        OpenWindow.run(() -> {
+            assertThat(OpenWindow.item(next, "Wheel Zooms").isSelected()).isTrue();
+            assertThat(OpenWindow.item(next, "Render While Typing").isSelected()).isFalse();
+            SimpleRay picture = ((ViewerContext) next).picture();
+            JLabel zoom = (JLabel) OpenWindow.all(next).filter(c -> "zoom".equals(c.getName())).findFirst().orElseThrow();
+            String before = zoom.getText();
+            picture.dispatchEvent(new MouseWheelEvent(picture, MouseEvent.MOUSE_WHEEL, 0, 0, 5, 5, 0, false,
+                MouseWheelEvent.WHEEL_UNIT_SCROLL, 1, -1));
+            assertThat(zoom.getText()).isNotEqualTo(before);
+        });
+        OpenWindow.end(next);
     }
 
     @Test
