@@ -24,6 +24,7 @@ import javax.swing.JMenu;
 import javax.swing.JMenuItem;
 import javax.swing.JSplitPane;
 import javax.swing.SwingUtilities;
+import javax.swing.Timer;
 import javax.swing.tree.DefaultMutableTreeNode;
 import simpleray.rays.RaySegment;
 import simpleray.image.Picture;
@@ -46,6 +47,7 @@ import simpleray.ui.widget.SidePanes;
  */
 public final class Inspector {
     private static final int DIVIDER = 6;
+    private static final int IDLE = 700;                      // milliseconds after the first picture that nothing else has happened
     private static final double RAYS_SHARE = 0.6;             // of the height, above the story
     /** How far the frame of the pixel cursor is from its pixel. */
     private static final int FRAME = 4;
@@ -70,6 +72,7 @@ public final class Inspector {
     private final ExecutorService teller;
 
     private JComponent side;                                  // what is shown beside the picture; null for nothing
+    private Timer idle = new Timer(IDLE, e -> rehearse());    // null once it has come
     private boolean storyWanted;                              // a story is shown, or is to be once it is told
     private boolean dragging;                                 // the pixel cursor, by the mouse
     private Boolean untold;                                   // a story was asked for: whether to have the keys; null once it is there
@@ -109,6 +112,7 @@ public final class Inspector {
             made.setVectors(vectors.isSelected());
             return made;
         });
+        idle.setRepeats(false);
         panes.setBorder(BorderFactory.createEmptyBorder());
         panes.setResizeWeight(RAYS_SHARE);
         MouseAdapter mouse = new MouseAdapter() {
@@ -234,6 +238,11 @@ public final class Inspector {
      */
     public void update(RenderJob job) {
         boolean over = job.state().ended();
+        if (idle != null && over) {
+            idle.restart();
+        } else if (idle != null) {
+            idle.stop();
+        }
         int now = hovered == null || !picture.has(hovered) ? 0 : picture.blockAt(hovered);
         if (job == shown && (over != ended || now != block)) {
             ended = over;
@@ -258,6 +267,14 @@ public final class Inspector {
             if (isOpen() || untold != null || isRaysOpen()) {
                 tell(untold != null && untold);
             }
+        }
+    }
+
+    /** Makes the pane of the rays before it is asked for: the first one takes long. */
+    private void rehearse() {
+        idle = null;
+        if (picture.isShowing()) {
+            rays.get().rehearse();
         }
     }
 

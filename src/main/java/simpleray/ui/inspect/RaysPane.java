@@ -55,6 +55,11 @@ final class RaysPane extends JPanel {
         setPreferredSize(new Dimension(Short.MAX_VALUE, MIN_WIDTH));   // all that the picture leaves
     }
 
+    /** Draws what nobody sees, so that the first rays come at once. */
+    void rehearse() {
+        view.rehearse();
+    }
+
     private RaysView view() {
         return view;
     }

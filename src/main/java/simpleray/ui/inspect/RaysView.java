@@ -14,6 +14,7 @@ import java.awt.event.MouseEvent;
 import java.awt.event.MouseWheelEvent;
 import java.awt.geom.AffineTransform;
 import java.awt.image.BufferedImage;
+import java.io.IOException;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Set;
@@ -30,11 +31,15 @@ import simpleray.rays.OutsideView;
 import simpleray.rays.RayDrawing;
 import simpleray.rays.RaySegment;
 import simpleray.rays.RaySegment.Kind;
+import simpleray.render.PixelStory;
+import simpleray.render.RenderSettings;
+import simpleray.render.Renderer;
 import simpleray.render.Stage;
 import simpleray.scene.Camera;
 import simpleray.scene.Orbit;
 import simpleray.scene.PerspectiveCamera.Pose;
 import simpleray.scene.Scene;
+import simpleray.ui.file.Samples;
 import simpleray.ui.widget.DrawnComponent;
 import simpleray.ui.widget.KeyBindings;
 
@@ -51,6 +56,7 @@ final class RaysView extends DrawnComponent {
     private static final double DENSE = 1.5;                  // from this scale on a pixel has one sample
     private static final int REST = 120;                      // milliseconds after which a view becomes fine
     private static final int REACH = 6;                       // how near to a ray a click is on it
+    private static final Dimension REHEARSED = new Dimension(600, 400);
     private static final int DRAG = 4;                        // fewer pixels of movement are a click
 
     /** What is told of a pixel: its rays, in which scene, from which camera. */
@@ -202,11 +208,7 @@ final class RaysView extends DrawnComponent {
         }
         try {
             BufferedImage made = draw(order);
-            RayDrawing drawn = new RayDrawing(view, order.rays.camera, order.rays.segments, order.kinds);
-            Graphics2D g = made.createGraphics();
-            g.transform(AffineTransform.getScaleInstance(order.place.scale, order.place.scale));
-            drawn.paint(g, order.rays.x, order.rays.y, order.count, order.selected);
-            g.dispose();
+            RayDrawing drawn = paint(order, made);
             SwingUtilities.invokeLater(() -> {
                 image = made;
                 drawing = drawn;
@@ -219,6 +221,33 @@ final class RaysView extends DrawnComponent {
         } catch (RuntimeException | Error e) {
             SwingUtilities.invokeLater(() -> status.accept("The rays cannot be drawn: " + e));
         }
+    }
+
+    private RayDrawing paint(Order order, BufferedImage made) {
+        RayDrawing drawn = new RayDrawing(view, order.rays.camera, order.rays.segments, order.kinds);
+        Graphics2D g = made.createGraphics();
+        g.transform(AffineTransform.getScaleInstance(order.place.scale, order.place.scale));
+        drawn.paint(g, order.rays.x, order.rays.y, order.count, order.selected);
+        g.dispose();
+        return drawn;
+    }
+
+    /** Draws rays of another scene that nobody sees: the first drawing of a process is slow, since classes are loaded for it. */
+    void rehearse() {
+        drawer.execute(() -> {
+            try {
+                Scene scene = Samples.template().read().scene();
+                Camera camera = scene.settings.newCamera();
+                PixelStory story = new Renderer(scene, camera, new RenderSettings()).explainer()
+                    .story(camera.width() / 2, camera.height() / 2, true);
+                List<RaySegment> all = RaySegment.of(story, scene);
+                Place place = new Place(scene, all.get(0).from(), OutsideView.pose(all, null), REHEARSED, 1);
+                Order order = new Order(place, new Rays(scene, camera, story.x(), story.y(), all), RayDrawing.RAYS, all.size(), null, false);
+                paint(order, draw(order));
+            } catch (IOException | RuntimeException | OutOfMemoryError e) {
+                view = null;                                  // then the first one is slow
+            }
+        });
     }
 
     /** {@return an empty image for an order, whose view is ready} */

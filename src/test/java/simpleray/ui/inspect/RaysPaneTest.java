@@ -62,6 +62,18 @@ class RaysPaneTest {
     }
 
     @Test
+    void anIdleWindowPreparesItsFirstRaysAndShowsNoneOfThem() throws Exception {
+        try (OpenWindow window = finished()) {
+            Screen.until("they are prepared", () -> OpenWindow.threads().contains("simpleray-rays"));
+            assertThat(OpenWindow.ask(() -> view())).isNull();
+            window.screen.press(KeyEvent.VK_V);
+            untilRays(WIDTH / 2, HEIGHT / 2);
+            assertThat(label("ray")).isEqualTo(segments(WIDTH / 2, HEIGHT / 2).size() + " rays");
+        }
+        assertThat(OpenWindow.threads()).isEmpty();
+    }
+
+    @Test
     void nextAndBackWalkTheRecursionAndTheStoryFollows() throws Exception {
         try (OpenWindow window = finished()) {
             Point pixel = mirrored();
