@@ -71,8 +71,8 @@ public final class CameraMenu {
 
     /** {@return a line for the picture's foot, which tells how to move the camera, and once it is moved what to do about that} */
     public JComponent line() {
-        CameraLine line = new CameraLine(tool::reset, this::save);
-        tool.setListener(() -> line.show(tool.isMoved(), tool.isKnown()));
+        CameraLine line = new CameraLine(tool::reset, this::save, this::setKey);
+        tool.setListener(() -> line.show(tool.isMoved(), tool.isKnown(), tool.isMoved() && hasKeys()));
         return line;
     }
 

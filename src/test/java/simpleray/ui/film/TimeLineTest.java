@@ -15,6 +15,7 @@ import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JSlider;
+import javax.swing.text.JTextComponent;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import simpleray.render.RenderListener;
@@ -22,6 +23,7 @@ import simpleray.scene.SceneFile;
 import simpleray.ui.OpenWindow;
 import simpleray.ui.Screen;
 import simpleray.ui.TestScenes;
+import simpleray.ui.file.FileSource;
 import simpleray.ui.file.SceneSource;
 import simpleray.ui.picture.RenderJob;
 
@@ -194,6 +196,38 @@ class TimeLineTest {
             window.untilShown("frame 4, with the key", frame(film, 4));
             assertThat(OpenWindow.ask(() -> window.picture().request().settings().camera)).isNull();
         }
+    }
+
+    @Test
+    void whileTheTextIsOpenTheKeyIsWrittenThereWithWhatWasTyped() throws Exception {
+        Path film = film("camera 0 0 3  0 0 0  50\nkey 9 camera 0 0 3  0 0 0  50\n");
+        String typed = Files.readString(film) + "# typed\n";
+        try (OpenWindow window = finished(film)) {
+            OpenWindow.run(() -> window.document().show(() -> { }));
+            JSlider slider = slider();
+            JTextComponent text = OpenWindow.appears("the text", JTextComponent.class,
+                area -> "scene-text".equals(area.getName()) && area.isEnabled());
+            OpenWindow.run(() -> text.setText(typed));
+            Screen.until("it is rendered", () -> window.picture().source().path() != null && !window.picture().isBusy()
+                && !(window.picture().source() instanceof FileSource));
+            OpenWindow.run(() -> window.item("Farther").doClick(0));
+            window.untilState(RenderJob.State.FINISHED);
+            assertThat(OpenWindow.ask(() -> button("Save in Scene"))).as("of a camera with keys").isNull();
+            window.screen.click(OpenWindow.appears("the button", JButton.class, button -> "Set Camera Key".equals(button.getText())));
+            Screen.until("the key is in the text", () -> window.document().text().contains("\nkey 0 camera 0 0 3."));
+            assertThat(window.document().text()).contains("# typed\n").contains("\nkey 9 camera 0 0 3  0 0 0  50\n");
+            Screen.until("its mark is there", () -> slider.getToolTipText().contains("camera (2)"));
+            assertThat(Files.readString(film)).doesNotContain("key 0 camera").doesNotContain("typed");
+            Screen.until("the camera is the text's", () -> window.picture().request().settings().camera == null
+                && button("Set Camera Key") == null);
+            OpenWindow.run(() -> window.item("Save Scene").doClick(0));
+            Screen.until("it is saved", () -> !window.document().isChanged());
+            assertThat(Files.readString(film)).contains("# typed\n").contains("\nkey 0 camera 0 0 3.");
+        }
+    }
+
+    private static JButton button(String text) {
+        return OpenWindow.seen(JButton.class, button -> text.equals(button.getText()));
     }
 
     @Test
