@@ -145,8 +145,6 @@ final class WindowCaptures {
             capture(window, "histogram");
             window.screen.press(KeyEvent.VK_X);
             window.screen.press(KeyEvent.VK_H);
-            OpenWindow.run(() -> window.frame.setSize(320, 240));
-            capture(window, "small");
             OpenWindow.run(() -> window.frame.setSize(640, 640));
             window.screen.press(KeyEvent.VK_SHIFT, KeyEvent.VK_SLASH);
             JTable keys = OpenWindow.appears("the keys", JTable.class, t -> true);
@@ -175,7 +173,7 @@ final class WindowCaptures {
     private static void untilLatest(OpenWindow window, String stage) {
         Screen.until("the picture of " + stage + " is kept", () -> {
             List<?> kept = window.comparison().pictures();
-            return !window.picture().isBusy() && !kept.isEmpty() && kept.get(kept.size() - 1).toString().contains(", " + stage + ",");
+            return !window.picture().isBusy() && !kept.isEmpty() && kept.get(kept.size() - 1).toString().startsWith(stage + ",");
         });
     }
 

@@ -143,7 +143,8 @@ final class CompareView extends DrawnComponent {
         if (image == null || room.isEmpty()) {
             return new Rectangle();
         }
-        double scale = Math.min(maxScale.getAsDouble() / ui(), Math.min((double) room.width / image.getWidth(), (double) room.height / image.getHeight()));
+        double scale = Math.min(maxScale.getAsDouble() / ui(),
+            Math.min((double) room.width / image.getWidth(), (double) room.height / image.getHeight()));
         int width = (int) Math.max(1, Math.round(image.getWidth() * scale));
         int height = (int) Math.max(1, Math.round(image.getHeight() * scale));
         return new Rectangle(room.x + (room.width - width) / 2, room.y + (room.height - height) / 2, width, height);

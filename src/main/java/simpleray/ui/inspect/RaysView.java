@@ -185,8 +185,7 @@ final class RaysView extends DrawnComponent {
         if (rays == null || getWidth() == 0 || getHeight() == 0 || !isShowing()) {
             return;
         }
-        Place place = new Place(rays.scene, rays.segments.get(0).from(), pose(), getSize(),
-            ui());
+        Place place = new Place(rays.scene, rays.segments.get(0).from(), pose(), getSize(), ui());
         next.set(new Order(place, rays, kinds, count, selected, fine));
         if (drawingFine != null) {
             drawingFine.cancel(true);
@@ -242,7 +241,8 @@ final class RaysView extends DrawnComponent {
                     .story(camera.width() / 2, camera.height() / 2, true);
                 List<RaySegment> all = RaySegment.of(story, scene);
                 Place place = new Place(scene, all.get(0).from(), OutsideView.pose(all, null), REHEARSED, 1);
-                Order order = new Order(place, new Rays(scene, camera, story.x(), story.y(), all), RayDrawing.RAYS, all.size(), null, false);
+                Rays drawn = new Rays(scene, camera, story.x(), story.y(), all);
+                Order order = new Order(place, drawn, RayDrawing.RAYS, all.size(), null, false);
                 paint(order, draw(order));
             } catch (IOException | RuntimeException | OutOfMemoryError e) {
                 view = null;                                  // then the first one is slow

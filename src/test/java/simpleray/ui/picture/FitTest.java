@@ -166,7 +166,8 @@ class FitTest {
     private Point at(Point pixel) {
         Rectangle all = onScreen();
         Dimension size = window.picture().imageSize();
-        return new Point(all.x + (int) ((pixel.x + 0.5) * all.width / size.width), all.y + (int) ((pixel.y + 0.5) * all.height / size.height));
+        return new Point(all.x + (int) ((pixel.x + 0.5) * all.width / size.width),
+            all.y + (int) ((pixel.y + 0.5) * all.height / size.height));
     }
 
     /** {@return the picture's pixel at a point of the screen} For the event thread. */
