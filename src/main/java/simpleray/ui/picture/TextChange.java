@@ -70,7 +70,7 @@ final class TextChange {
                 }
                 if (why != null) {
                     tell(source.name() + '\n' + why);
-                } else if (window.picture().source() == source && edited.equals(text.get())) {
+                } else if (edited.equals(text.get())) {       // which may be rendered by now from a source of its own
                     before.run();
                     replacement.accept(made);
                 } else {
