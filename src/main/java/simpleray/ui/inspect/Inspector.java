@@ -576,6 +576,12 @@ public final class Inspector {
             return;
         }
         side = right;
+        for (JComponent part : new JComponent[] {above, below}) {
+            if (part != null && !part.isShowing()) {
+                SwingUtilities.updateComponentTreeUI(part);   // the look may have changed while it was in no window
+            }
+        }
+        panes.updateUI();
         panes.setTopComponent(right == panes ? above : null);
         panes.setBottomComponent(right == panes ? below : null);
         int pixel = SwingUtilities.convertRectangle(picture, place(cursor), sides).x + DIVIDER * FRAME;

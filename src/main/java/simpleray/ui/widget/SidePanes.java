@@ -6,7 +6,6 @@ import javax.swing.BorderFactory;
 import javax.swing.JComponent;
 import javax.swing.JSplitPane;
 import javax.swing.JTabbedPane;
-import javax.swing.SwingUtilities;
 
 /**
  * The picture, and beside it the scene's text and what is told about a pixel: both in columns of their own where there is room for three, else
@@ -28,7 +27,7 @@ public final class SidePanes extends JSplitPane {
     /** Creates a pane with nothing in it. */
     public SidePanes() {
         super(HORIZONTAL_SPLIT);
-        setBorder(null);
+        setBorder(BorderFactory.createEmptyBorder());
         setDividerSize(0);
         setRightComponent(null);
         columns.setBorder(BorderFactory.createEmptyBorder());
@@ -49,10 +48,9 @@ public final class SidePanes extends JSplitPane {
     /**
      * Shows the scene's text, in front.
      *
-     * @param other the text; null to hide it
+     * @param other the text, in the look of the window; null to hide it
      */
     public void showText(JComponent other) {
-        prepare(other);
         text = other;
         arrange(other, 0);
     }
@@ -60,20 +58,12 @@ public final class SidePanes extends JSplitPane {
     /**
      * Shows what is told about a pixel, in front.
      *
-     * @param other what is told; null to hide it
+     * @param other what is told, in the look of the window; null to hide it
      * @param free how far from the left the picture is to be seen, if that leaves enough for what is told
      */
     public void showPixel(JComponent other, int free) {
-        prepare(other);
         pixel = other;
         arrange(other, free);
-    }
-
-    /** The look may have changed while something was in no window. */
-    private static void prepare(JComponent other) {
-        if (other != null && !other.isShowing()) {
-            SwingUtilities.updateComponentTreeUI(other);
-        }
     }
 
     /** {@return whether there is something beside the picture} */
