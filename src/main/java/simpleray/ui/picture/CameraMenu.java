@@ -146,7 +146,8 @@ public final class CameraMenu {
     }
 
     private boolean hasKeys() {
-        SceneFile film = picture.job().snapshot().film();
+        RenderJob read = picture.seen() == null ? picture.job() : picture.seen();      // the latest may not have its scene yet
+        SceneFile film = read.snapshot().film();
         return film != null && film.scene().settings.hasCameraKeys();
     }
 
