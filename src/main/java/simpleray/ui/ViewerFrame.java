@@ -56,6 +56,7 @@ final class ViewerFrame extends JFrame implements EditorContext {
     private final DiagnosticsPane problems = new DiagnosticsPane(document::goTo);
     private final Banner banner = new Banner();
     private final JSplitPane split;
+    private int below;                                        // the height of what is below the picture, if there is room
     private final SidePanes sides = new SidePanes();
     private final JPanel pictured = new JPanel(new BorderLayout());   // the picture, the camera's line, and the time line of a film
     private final StatusBar status = new StatusBar();
@@ -108,6 +109,12 @@ final class ViewerFrame extends JFrame implements EditorContext {
         PixelMenu.install(this, inspector, document, camera);
         ToolBar tools = new ToolBar(menus.bar());
         add(tools.above(banner), BorderLayout.NORTH);
+        split.addComponentListener(new ComponentAdapter() {
+            @Override
+            public void componentResized(ComponentEvent e) {
+                keepInSight();
+            }
+        });
         add(split, BorderLayout.CENTER);
         add(status, BorderLayout.SOUTH);
         setDefaultCloseOperation(DO_NOTHING_ON_CLOSE);
@@ -369,20 +376,20 @@ final class ViewerFrame extends JFrame implements EditorContext {
         }
     }
 
-    /** Gives what is below the picture a height, or half of all; before the window has its size, once it has. */
-    private void divide(int below) {
+    /** Gives what is below the picture a height, or half of all. */
+    private void divide(int height) {
+        below = height;
         validate();                                           // else the height may be an older window's
         if (split.getHeight() > 0) {
             split.setDividerLocation(split.getHeight() - split.getDividerSize() - Math.min(below, split.getHeight() / 2));
             validate();                                       // what the window gains or loses from now on is the picture's
-            return;
         }
-        split.addComponentListener(new ComponentAdapter() {
-            @Override
-            public void componentResized(ComponentEvent e) {
-                split.removeComponentListener(this);
-                divide(below);
-            }
-        });
+    }
+
+    /** Shows what is below the picture, if the window has left no room for it: until it is painted, the divider stays where it is. */
+    private void keepInSight() {
+        if (split.getBottomComponent() != null && split.getBottomComponent().getHeight() < DIVIDER) {
+            divide(below);
+        }
     }
 }

@@ -113,6 +113,23 @@ class DiagnosticsPaneTest {
     }
 
     @Test
+    void anErrorThatIsKnownBeforeTheWindowShrinksIsInSight() {
+        TestScenes.write(scene, BAD);
+        window = new OpenWindow(SceneSource.file(scene), SIDE, SIDE, frame -> {
+            try {
+                frame.frame().setSize(frame.frame().getWidth(), 800);
+                frame.picture().job().await();
+                frame.picture().run();
+                frame.frame().setSize(frame.frame().getWidth(), 400);
+            } catch (InterruptedException e) {
+                throw new IllegalStateException(e);
+            }
+        });
+
+        Screen.until("the problems are in sight", () -> window.problems().getVisibleRect().height > 0);
+    }
+
+    @Test
     void aWarningThatIsKnownBeforeAnythingIsLaidOutLeavesRoomForThePicture() {
         TestScenes.write(scene, ODD);
         window = new OpenWindow(SceneSource.file(scene), 2 * SIDE, 2 * SIDE, frame -> {
