@@ -51,15 +51,17 @@ public final class Renderer {
     private final AtomicInteger nextEarly = new AtomicInteger();
     private volatile CompiledScene ready;                     // kept for the explainer
     private volatile boolean begun;                           // the scene is compiled, if it is to be
-    private Tracers tracers;                                  // null before it has begun, as the next ones
+    private Begin at;                                         // null before it has begun, as the next one
     private RenderThreads workers;
     private List<Future<?>> tasks = List.of();
-    private double readySeconds;
-    private long startTime;
     private volatile ProgressiveRenderer passes;              // null unless rendering in passes
     private boolean paused;
     private IntFunction<double[]> known;                      // null if no row is known
     private RenderStats stats;
+
+    /** What is known once the scene is compiled. */
+    private record Begin(Tracers tracers, double readySeconds, long time) {
+    }
 
     /** A row that a thread has begun early, and leaves to whichever thread's turn it is. */
     private static final class EarlyRow {
@@ -243,9 +245,9 @@ public final class Renderer {
             : prepared == null ? compile() : prepared.compiled(scene, camera.eye(), this::compile);
         ready = compiled;
         begun = true;
-        tracers = new Tracers(scene, camera, settings, compiled);
-        startTime = System.nanoTime();
-        readySeconds = Progress.seconds(first, startTime);
+        Tracers made = new Tracers(scene, camera, settings, compiled);
+        long time = System.nanoTime();
+        at = new Begin(made, Progress.seconds(first, time), time);
         workers = threads;
         tasks = threads.begin(new Runnable() {
             @Override
@@ -263,7 +265,7 @@ public final class Renderer {
      */
     public Picture end() {
         await();
-        stats = new RenderStats(tracers.stats(), readySeconds, Progress.seconds(startTime, System.nanoTime()));
+        stats = new RenderStats(at.tracers.stats(), at.readySeconds, Progress.seconds(at.time, System.nanoTime()));
         if (fault instanceof Error error) {
             throw error;
         }
@@ -385,7 +387,7 @@ public final class Renderer {
 
     private void run(Consumer<Tracers> work) {
         try {
-            work.accept(tracers);
+            work.accept(at.tracers);
         } catch (RuntimeException | Error e) {                // thrown by render(), after all threads have ended
             if (fault == null) {                              // allocates nothing: memory may have run out
                 fault = e;
