@@ -7,7 +7,9 @@ import java.nio.file.Path;
 import java.util.ArrayDeque;
 import java.util.BitSet;
 import java.util.Deque;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.atomic.AtomicInteger;
 import simpleray.image.Picture;
@@ -59,6 +61,7 @@ public final class FilmRenderer {
     private boolean counted = true;                           // the rays of all frames so far
     private double readySeconds;
     private double renderSeconds;
+    private final Set<String> notes = new HashSet<>();        // said of one file, and true of all
     private Listener listener;
     private RenderListener rows;
     private final Deque<OpenFrame> open = new ArrayDeque<>();  // the next to be finished first
@@ -105,7 +108,7 @@ public final class FilmRenderer {
         RenderListener begins(Progress progress);
 
         /**
-         * Takes notice of a file that was not written as files usually are.
+         * Takes notice of a file that was not written as files usually are: the first of those of which the same is true.
          *
          * @param text says in what way, with the file's name
          */
@@ -348,7 +351,11 @@ public final class FilmRenderer {
 
     private AtomicFile begin(String name) throws FilmException {
         try {
-            return new AtomicFile(Path.of(name), note -> listener.note(name + ": " + note));
+            return new AtomicFile(Path.of(name), note -> {
+                if (notes.add(note)) {
+                    listener.note(name + ": " + note);
+                }
+            });
         } catch (IOException e) {
             throw FilmException.notCreated(name, e);
         }

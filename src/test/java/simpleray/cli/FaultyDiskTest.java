@@ -122,6 +122,16 @@ class FaultyDiskTest {
         assertOnly(out);
     }
 
+    @Test
+    void aFilmTellsOnceWhatIsTrueOfAllItsFiles() throws IOException, InterruptedException {
+        Program.Result result = run("lock=37", "animate @ball.scene --turntable 3 --size 8x8 -o " + folder + "/%d.png");
+
+        assertThat(result.exitCode()).isEqualTo(ExitCode.DONE);
+        assertThat(result.err().lines().filter(line -> line.contains("locked"))).containsExactly(
+            "simpleray: " + folder + "/0.png: " + String.format(NOT_LOCKED, WORDS.get(37)));
+        assertOnly(folder.resolve("0.png"), folder.resolve("1.png"), folder.resolve("2.png"));
+    }
+
     static List<Integer> errnosOfFolders() {
         return Sample.of(List.of(1, 13, 22, ENOSPC, 30, 95, 122), 3);
     }
