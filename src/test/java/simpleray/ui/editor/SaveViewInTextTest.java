@@ -2,6 +2,9 @@ package simpleray.ui.editor;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.awt.Toolkit;
+import java.awt.datatransfer.DataFlavor;
+import java.awt.datatransfer.UnsupportedFlavorException;
 import java.awt.event.KeyEvent;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -73,7 +76,15 @@ class SaveViewInTextTest {
         Screen.until("it is saved", () -> !window.document().isChanged());
         assertThat(Files.readString(scene)).isEqualTo(typed + CAMERA);
         window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_L);
-        Screen.until("now a command line can name it", () -> window.status().equals("Copied the command line"));
+        Screen.until("now a command line can name it", () -> copied().contains(" render " + scene));
+    }
+
+    private static String copied() {
+        try {
+            return (String) Toolkit.getDefaultToolkit().getSystemClipboard().getData(DataFlavor.stringFlavor);
+        } catch (UnsupportedFlavorException | IOException | IllegalStateException e) {
+            return "";                                        // it is empty, or another has it just now
+        }
     }
 
     private void save() {
