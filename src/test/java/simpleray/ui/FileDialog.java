@@ -40,6 +40,12 @@ public final class FileDialog {
         screen.press(KeyEvent.VK_ENTER);
     }
 
+    /** Puts a path, of any signs, in place of what is there, and types Enter. */
+    public void put(Path path) {
+        OpenWindow.run(() -> name.setText(path.toString()));
+        screen.press(KeyEvent.VK_ENTER);
+    }
+
     public void untilClosed() {
         Screen.until("the dialog is gone", () -> !name.isShowing());
     }

@@ -94,9 +94,10 @@ final class FilmExport {
         while (chooser.showSaveDialog(window.frame()) == JFileChooser.APPROVE_OPTION) {
             try {
                 FilmOutput output = FilmOutput.of(chooser.getSelectedFile().getPath());
-                FilmRenderer.Kept before = before(asked, output);
+                FilmRenderer made = new FilmRenderer(film, request, output, FilmRenderer.Plan.ALL);
+                FilmRenderer.Kept before = before(asked, output, made);
                 if (before != null) {
-                    export(new FilmRenderer(film, request, output, FilmRenderer.Plan.ALL), output, before);
+                    export(made, output, before);
                     return;
                 }
             } catch (IllegalArgumentException e) {
@@ -114,9 +115,9 @@ final class FilmExport {
     }
 
     /** {@return what is done with what is there already; null to ask for another name} */
-    private FilmRenderer.Kept before(RenderJob asked, FilmOutput output) {
+    private FilmRenderer.Kept before(RenderJob asked, FilmOutput output, FilmRenderer film) {
         Path path = Path.of(output.isSingle() ? output.name() : output.frame(0));
-        if (asked.reads(path)) {
+        if (asked.reads(path) || !output.isSingle() && film.frames().stream().anyMatch(f -> asked.reads(Path.of(output.frame(f))))) {
             tell(RenderJob.READ);
             return null;
         }

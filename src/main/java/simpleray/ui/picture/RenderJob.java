@@ -42,6 +42,7 @@ public final class RenderJob {
     private final PixelRunQueue runs;
     private final Thread thread;
     private int room;
+    private SourceText earlier;                               // null for none
 
     private final AtomicReference<Snapshot> latest;
     private volatile boolean cancelled;
@@ -238,6 +239,11 @@ public final class RenderJob {
         room = side;
     }
 
+    /** Sets the rendering that was the last, whose files stay protected if it was of the same scene and this one fails. Call before the start. */
+    void setEarlier(RenderJob last) {
+        earlier = last != null && source.path() != null && source.path().equals(last.source.path()) ? last.text() : null;
+    }
+
     /** Sets the frame that is rendered if the scene is a film; 0, unless it is set. Call before the start. */
     void setFrame(int frame) {
         asked = frame;
@@ -319,9 +325,15 @@ public final class RenderJob {
     public boolean reads(Path written) {
         Path path = source.path();
         Path home = source.home();
-        SourceText text = snapshot().loaded == null ? null : snapshot().loaded.file.text();
+        SourceText text = text();
         return path != null && OutputTarget.isSame(written, path)
             || text != null && text.names(written, (home == null ? Path.of("") : home).resolveSibling(""));
+    }
+
+    /** {@return the scene's text; that of {@link #setEarlier} before it was read, or if it has errors; null if there is none} */
+    private SourceText text() {
+        LoadedScene loaded = snapshot().loaded;
+        return loaded == null ? earlier : loaded.file.text();
     }
 
     /** {@return how far it is now} */

@@ -119,7 +119,9 @@ public final class SimpleRay extends ZoomedComponent implements Runnable {
 
     /** Starts to render anew, and cancels the rendering before. The picture before stays until there is something to show. */
     public void start() {
-        begin(new RenderJob(source, request, regions.region(), regions.isAlone()), false);
+        RenderJob next = new RenderJob(source, request, regions.region(), regions.isAlone());
+        next.setEarlier(job());
+        begin(next, false);
     }
 
     /** Reads the scene again and renders it; does nothing if there is none. */

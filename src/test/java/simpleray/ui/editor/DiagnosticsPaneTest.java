@@ -85,6 +85,21 @@ class DiagnosticsPaneTest {
     }
 
     @Test
+    void theMeshesOfASceneAreProtectedWhileItHasAnError() {
+        Path mesh = TestScenes.write(folder.resolve("mesh.png"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+        String good = "1\n4 \"mesh.png\" 0 0 0 1  1 0 0  0 0 0  0 0 0  0\n1 1 1\n0\n";
+        TestScenes.write(scene, good);
+        window = new OpenWindow(SceneSource.file(scene), SIDE, SIDE);
+        window.untilState(RenderJob.State.FINISHED);
+        TestScenes.write(scene, good.replace("1 1 1", "1 oops 1"));
+        window.screen.press(KeyEvent.VK_F5);
+        window.untilState(RenderJob.State.FAILED);
+
+        assertThat(OpenWindow.ask(() -> window.job().reads(mesh))).isTrue();
+        assertThat(OpenWindow.ask(() -> window.job().reads(folder.resolve("other.png")))).isFalse();
+    }
+
+    @Test
     void anErrorInTheFirstSceneIsShown() {
         TestScenes.write(scene, BAD);
         window = new OpenWindow(SceneSource.file(scene), SIDE, SIDE);

@@ -115,6 +115,23 @@ class FilmExportTest {
     }
 
     @Test
+    void noFrameIsWrittenOverAMeshOfTheScene() throws IOException {
+        Path mesh = TestScenes.write(folder.resolve("m1.png"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+        String written = Files.readString(mesh);
+        Path scene = TestScenes.write(folder.resolve("mesh.scene"), "1\n4 \"m1.png\" 0 0 0 1  1 0 0  0 0 0  0 0 0  0\n1 1 1\n0\nframes 3 25\n");
+        try (OpenWindow window = new OpenWindow(SceneSource.file(scene), 60, 40)) {
+            window.untilState(RenderJob.State.FINISHED);
+            export(window).put(folder.resolve("m%d.png"));
+            OpenWindow.appears("the reason", JOptionPane.class, pane -> RenderJob.READ.equals(pane.getMessage()));
+            window.screen.press(KeyEvent.VK_ENTER);
+            FileDialog again = new FileDialog(window.screen);
+            window.screen.press(KeyEvent.VK_ESCAPE);
+            again.untilClosed();
+        }
+        assertThat(mesh).content().isEqualTo(written);
+    }
+
+    @Test
     void aSceneThatIsNoFilmIsNotExported() {
         try (OpenWindow window = new OpenWindow(SceneSource.file(TestScenes.THESIS), 60, 40)) {
             window.untilState(RenderJob.State.FINISHED);
