@@ -7,10 +7,10 @@ import java.nio.file.Path;
 import java.util.ArrayDeque;
 import java.util.BitSet;
 import java.util.Deque;
-import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.concurrent.CancellationException;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.AtomicInteger;
 import simpleray.image.Picture;
 import simpleray.image.PictureText;
@@ -61,9 +61,10 @@ public final class FilmRenderer {
     private boolean counted = true;                           // the rays of all frames so far
     private double readySeconds;
     private double renderSeconds;
-    private final Set<String> notes = new HashSet<>();        // said of one file, and true of all
+    private final Set<String> notes = ConcurrentHashMap.newKeySet();   // said of one file, and true of all
     private Listener listener;
     private RenderListener rows;
+    private FfmpegFilm ffmpeg;                                // null for none
     private final Deque<OpenFrame> open = new ArrayDeque<>();  // the next to be finished first
     private boolean cancelled;
     private boolean done;
@@ -295,6 +296,9 @@ public final class FilmRenderer {
     public synchronized void cancel() {
         cancelled = true;
         open.forEach(frame -> frame.renderer.cancel());
+        if (ffmpeg != null) {
+            ffmpeg.close();                                   // it may be slow to take a frame
+        }
     }
 
     /** {@return whether it was told to end} Faults from then on come from that. */
@@ -309,6 +313,15 @@ public final class FilmRenderer {
 
     private synchronized void begins(OpenFrame frame) {
         open.add(frame);
+        goOn();
+    }
+
+    private synchronized void begins(FfmpegFilm coder) {
+        ffmpeg = coder;
+        goOn();
+    }
+
+    private void goOn() {
         if (cancelled) {
             throw new CancellationException("told to stop");
         }
@@ -353,7 +366,7 @@ public final class FilmRenderer {
         try {
             return new AtomicFile(Path.of(name), note -> {
                 if (notes.add(note)) {
-                    listener.note(name + ": " + note);
+                    listener.note((output.isSingle() ? output.name() : name) + ": " + note);
                 }
             });
         } catch (IOException e) {
@@ -412,6 +425,7 @@ public final class FilmRenderer {
 
     private void pipe(AtomicFile target) throws IOException {
         try (FfmpegFilm coder = ffmpeg(target.file())) {
+            begins(coder);
             renderFrames((f, frame, renderer) -> new CodedFrame(renderer, coder));
             coder.end();
             target.commit();

@@ -365,6 +365,32 @@ class AnimateCommandTest {
         assertThat(files()).containsExactly("film.gif", "whole.gif");
     }
 
+    @Test
+    @Timeout(value = 120, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
+    void anFfmpegThatTakesNoFrameEndsWithTheProgram() throws IOException, InterruptedException {
+        Path bin = Files.createDirectory(folder.resolve("bin"));
+        Path pid = folder.resolve("pid.scene");
+        Path ffmpeg = Files.writeString(bin.resolve("ffmpeg"), "#!/bin/sh\necho $$ >" + pid + "\nexec sleep 100\n");
+        assumeTrue(ffmpeg.toFile().setExecutable(true) && Files.isExecutable(Path.of("/bin/sh")), "no scripts here");
+        ProcessBuilder program = Program.program(folder, List.of(), "animate", "film.scene", "-o", "film.mp4", "--size", "400x300", "--turntable", "9");
+        program.environment().merge("PATH", bin.toString(), (old, own) -> own + File.pathSeparator + old);
+        Process process = program.redirectErrorStream(true).redirectOutput(folder.resolve("err.scene").toFile()).start();
+        assumeTrue(process.supportsNormalTermination(), "no SIGTERM here");
+        try {
+            while (process.isAlive() && (!Files.exists(pid) || Files.size(pid) == 0)) {
+                Thread.sleep(20);
+            }
+            Thread.sleep(1000);                               // it waits for ffmpeg, or renders still: both must end
+            process.destroy();
+            assertThat(process.waitFor(30, TimeUnit.SECONDS)).isTrue();
+        } finally {
+            process.destroyForcibly();
+        }
+        assertThat(process.exitValue()).isEqualTo(ExitCode.TERMINATED);
+        assertThat(files()).containsExactly("bin");
+        assertThat(ProcessHandle.of(Long.parseLong(Files.readString(pid).strip())).filter(ProcessHandle::isAlive)).isEmpty();
+    }
+
     @ParameterizedTest
     @ValueSource(strings = {"film.gif", "%d.png"})
     @Timeout(value = 120, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
