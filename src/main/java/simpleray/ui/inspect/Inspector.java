@@ -82,6 +82,7 @@ public final class Inspector {
     private int block;                                        // of that pixel, when it was last told of
     private boolean asking;                                   // an answer about a pixel under the mouse is to come
     private Point cursor;
+    private Dimension cursorIn;                               // the size of the picture in which it is there
     private Future<?> telling;
     private Told story;                                       // in the pane
     private List<StoryMark> marks = List.of();                // of the line that is chosen in it
@@ -263,11 +264,18 @@ public final class Inspector {
             setCursor(start());
         }
         if (cursor != null) {
-            setCursor(cursor);                                // the picture may have become smaller
+            setCursor(inThisSize(cursor));
             if (isOpen() || untold != null || isRaysOpen()) {
                 tell(untold != null && untold);
             }
         }
+    }
+
+    /** {@return the pixel where a pixel of a picture of another size was} */
+    private Point inThisSize(Point pixel) {
+        Dimension size = picture.imageSize();
+        return size.equals(cursorIn) ? pixel
+            : new Point((int) ((2L * pixel.x + 1) * size.width / (2L * cursorIn.width)), (int) ((2L * pixel.y + 1) * size.height / (2L * cursorIn.height)));
     }
 
     /** Makes the pane of the rays before it is asked for: the first one takes long. */
@@ -428,6 +436,7 @@ public final class Inspector {
             repaint(cursor);
         }
         cursor = new Point(Math.max(0, Math.min(size.width - 1, pixel.x)), Math.max(0, Math.min(size.height - 1, pixel.y)));
+        cursorIn = size;
         repaint(cursor);
     }
 
