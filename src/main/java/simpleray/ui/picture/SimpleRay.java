@@ -15,6 +15,7 @@ import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.Iterator;
 import java.util.List;
+import java.util.Objects;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
 import javax.swing.SwingUtilities;
@@ -419,6 +420,9 @@ public final class SimpleRay extends ZoomedComponent implements Runnable {
      * @param other the scene
      */
     public void setSource(SceneSource other) {
+        if (!Objects.equals(other.path(), source.path())) {
+            fitAgain();                                       // the room is another than that of the scene before
+        }
         source = other;
     }
 

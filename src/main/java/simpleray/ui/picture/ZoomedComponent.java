@@ -117,6 +117,14 @@ abstract class ZoomedComponent extends DrawnComponent implements Scrollable {
         return held != null;
     }
 
+    /** Lets a picture that was fitted, and stayed where it was since, be fitted anew. */
+    final void fitAgain() {
+        if (zoom.fitted()) {
+            held = null;
+            revalidate();
+        }
+    }
+
     /** {@return how much of a held picture is above and to the left of what can be seen} */
     private Point hidden() {
         return new Point((int) Math.round(Math.max(0, -held.x()) / ui()), (int) Math.round(Math.max(0, -held.y()) / ui()));
@@ -143,9 +151,9 @@ abstract class ZoomedComponent extends DrawnComponent implements Scrollable {
             Math.max(1, port.getHeight() - spare.height)) * ui()) : 0;
     }
 
-    /** {@return whether the picture is larger than what can be seen of it} */
+    /** {@return whether the picture is larger than what can be seen of it, and not because it stays where it was fitted} */
     final boolean overflows() {
-        return getParent() instanceof JViewport port && (getWidth() > port.getWidth() || getHeight() > port.getHeight());
+        return !(zoom.fitted() && isHeld()) && getParent() instanceof JViewport port && (getWidth() > port.getWidth() || getHeight() > port.getHeight());
     }
 
     /** {@return whether the wheel zooms without Ctrl, and moves no camera} */

@@ -11,6 +11,7 @@ import java.awt.event.KeyEvent;
 import java.nio.file.Path;
 import java.util.concurrent.CountDownLatch;
 import javax.swing.JComponent;
+import javax.swing.JLabel;
 import javax.swing.JTree;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -140,6 +141,52 @@ class FitTest {
             Point pixel = new Point(all.x + 700 * all.width / 800, all.y + 200 * all.height / 300);
             assertThat(window.picture().getVisibleRect().contains(pixel)).isTrue();
         });
+    }
+
+    @Test
+    void thePixelOfAStoryKeepsItsPlaceInAPictureOfAnotherSize() throws Exception {
+        open(TestScenes.THESIS, OpenWindow.request(200, 150));
+        window.untilState(RenderJob.State.FINISHED);
+        window.untilProblems("lights nothing");
+        click(new Point(100, 30));
+        Screen.until("its story is there", () -> isTold("Pixel 100, 30"));
+        OpenWindow.run(() -> {
+            window.picture().setRequest(OpenWindow.request(600, 450));
+            window.picture().start();
+        });
+        Screen.until("the story is of the same place", () -> isTold("Pixel 301, 91"));
+        OpenWindow.run(() -> {
+            window.picture().setRequest(OpenWindow.request(200, 150));
+            window.picture().start();
+        });
+        Screen.until("it is the pixel of before", () -> isTold("Pixel 100, 30"));
+    }
+
+    private static boolean isTold(String pixel) {
+        return OpenWindow.seen(JLabel.class, label -> pixel.equals(label.getText())) != null;
+    }
+
+    @Test
+    void besidePanesTheWheelMovesTheCameraAndAnotherSceneFits() throws Exception {
+        Path scene = TestScenes.plain(folder.resolve("plain.scene"), 0.2, 0.4, 0.6);
+        Path other = TestScenes.plain(folder.resolve("other.scene"), 0.6, 0.4, 0.2);
+        open(scene, new RenderRequest());
+        OpenWindow.run(() -> window.frame.setSize(900, 700));
+        untilItFits();
+        click(new Point(200, 200));
+        Screen.until("the story is there", () -> OpenWindow.seen(JTree.class, tree -> "story".equals(tree.getName())) != null);
+        window.screen.press(KeyEvent.VK_V);
+        Screen.until("the rays are there", () -> OpenWindow.seen(JComponent.class, view -> "rays".equals(view.getName())) != null);
+        new Robot().mouseWheel(-1);
+        Screen.until("the camera was moved", () -> window.picture().request().settings().camera != null);
+
+        OpenWindow.run(() -> {
+            window.picture().setSource(SceneSource.file(other));
+            window.picture().setRequest(new RenderRequest());
+            window.picture().start();
+        });
+        Screen.until("the other one fits", () -> window.job().state() == RenderJob.State.FINISHED && window.picture().isSettled()
+            && window.picture().imageSize().width == window.picture().room() && window.picture().place().width <= window.scroll().getWidth());
     }
 
     private void clickStays(Point pixel) throws Exception {
