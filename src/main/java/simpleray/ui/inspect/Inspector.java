@@ -275,7 +275,11 @@ public final class Inspector {
     private Point inThisSize(Point pixel) {
         Dimension size = picture.imageSize();
         return size.equals(cursorIn) ? pixel
-            : new Point((int) ((2L * pixel.x + 1) * size.width / (2L * cursorIn.width)), (int) ((2L * pixel.y + 1) * size.height / (2L * cursorIn.height)));
+            : new Point(scaled(pixel.x, cursorIn.width, size.width), scaled(pixel.y, cursorIn.height, size.height));
+    }
+
+    private static int scaled(int place, int before, int now) {
+        return (int) ((2L * place + 1) * now / (2L * before));
     }
 
     /** Makes the pane of the rays before it is asked for: the first one takes long. */

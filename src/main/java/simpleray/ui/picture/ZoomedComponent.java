@@ -153,7 +153,8 @@ abstract class ZoomedComponent extends DrawnComponent implements Scrollable {
 
     /** {@return whether the picture is larger than what can be seen of it, and not because it stays where it was fitted} */
     final boolean overflows() {
-        return !(zoom.fitted() && isHeld()) && getParent() instanceof JViewport port && (getWidth() > port.getWidth() || getHeight() > port.getHeight());
+        return !(zoom.fitted() && isHeld()) && getParent() instanceof JViewport port
+            && (getWidth() > port.getWidth() || getHeight() > port.getHeight());
     }
 
     /** {@return whether the wheel zooms without Ctrl, and moves no camera} */

@@ -186,7 +186,8 @@ class FitTest {
             window.picture().start();
         });
         Screen.until("the other one fits", () -> window.job().state() == RenderJob.State.FINISHED && window.picture().isSettled()
-            && window.picture().imageSize().width == window.picture().room() && window.picture().place().width <= window.scroll().getWidth());
+            && window.picture().imageSize().width == window.picture().room()
+            && window.picture().place().width <= window.scroll().getWidth());
     }
 
     private void clickStays(Point pixel) throws Exception {
