@@ -258,7 +258,7 @@ public final class FilmRenderer {
         if (output.kind().isByFfmpeg() && frame > Integer.MAX_VALUE - Long.BYTES) {
             throw new IllegalArgumentException("a film of frames of " + size() + " is too large for ffmpeg");
         }
-        long extra = output.kind().isByFfmpeg() ? 2 * frame : output.kind() == FilmOutput.Kind.GIF ? GifFilm.bytesNeeded(width, height) : 0;
+        long extra = output.kind().isByFfmpeg() ? frame : output.kind() == FilmOutput.Kind.GIF ? GifFilm.bytesNeeded(width, height) : 0;
         bytesNeeded = renderer.bytesNeeded() + Math.max(extra, PngWriter.bytesNeeded(renderer.picture(), renderer.rowsAhead()));
     }
 
@@ -462,7 +462,9 @@ public final class FilmRenderer {
         Progress progress = new Progress((long) height * frames.cardinality(), System.nanoTime(), known);
         progress.rowsFinished(known);
         rows = listener.begins(progress);
-        int ahead = !film.movesObjects() || parts(film.still(0)) <= MAX_MOVED ? 1 : 0;
+        boolean fit = 2 * bytesNeeded <= Runtime.getRuntime().maxMemory() / 2
+            && (!film.movesObjects() || parts(film.still(0)) <= MAX_MOVED);
+        int ahead = fit ? 1 : 0;                              // frames that are rendered beside the one that is being finished
         long start = System.nanoTime();
         try (RenderThreads workers = new RenderThreads(threads)) {
             try {
