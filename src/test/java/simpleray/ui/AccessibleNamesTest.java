@@ -10,7 +10,6 @@ import javax.accessibility.AccessibleRole;
 import javax.swing.AbstractButton;
 import javax.swing.JProgressBar;
 import javax.swing.text.JTextComponent;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import simpleray.ui.file.SceneSource;
 import simpleray.ui.picture.RenderJob;
@@ -18,7 +17,7 @@ import simpleray.ui.picture.SimpleRay;
 
 /** What a screen reader is told. */
 class AccessibleNamesTest {
-    @Test
+    @WindowTest
     void everythingThatCanBeUsedHasAName(@TempDir Path folder) {
         Path bad = TestScenes.write(folder.resolve("bad.scene"), "oops");
         try (OpenWindow window = new OpenWindow(SceneSource.file(bad), 64, 64)) {
@@ -31,7 +30,7 @@ class AccessibleNamesTest {
         }
     }
 
-    @Test
+    @WindowTest
     void thePictureIsACanvasByTheNameOfPicture() {
         try (OpenWindow window = new OpenWindow(SceneSource.NONE, 64, 64)) {
             assertThat(window.picture().getAccessibleContext().getAccessibleName()).isEqualTo("Picture");

@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.concurrent.CountDownLatch;
 import javax.swing.Timer;
-import org.junit.jupiter.api.Test;
 import simpleray.ui.file.SceneSource;
 import simpleray.ui.picture.RenderJob;
 
@@ -13,7 +12,7 @@ class EventThreadTest {
     private static final int TICK = 5;
     private static final int TICKS = 100;
 
-    @Test
+    @WindowTest
     void itAnswersWhileRowsTakeForEver() {
         TestScenes.Gate gate = new TestScenes.Gate(0);
         try (OpenWindow window = new OpenWindow(TestScenes.watched(TestScenes.THESIS, gate), 200, 200)) {
@@ -25,7 +24,7 @@ class EventThreadTest {
         }
     }
 
-    @Test
+    @WindowTest
     void itAnswersWhileALargePictureIsRendered() {
         try (OpenWindow window = new OpenWindow(SceneSource.file(TestScenes.MIRRORS), 3200, 2400)) {
             tick();

@@ -10,7 +10,6 @@ import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -62,7 +61,7 @@ class LiveTest {
         System.out.println("a saved scene is rendered after " + best + " s");
     }
 
-    @Test
+    @WindowTest
     void aSavedMeshIsRendered() throws IOException {
         Path mesh = TestScenes.write(folder.resolve("a b.obj"), "v -9 -9 0\nv 9 -9 0\nv 0 9 0\nf 1 2 3\n");
         TestScenes.write(scene, "1\n4 \"a b.obj\" 0 0 0 1  1 0 0  0 0 0  0 0 0  0\n1 1 1\n0\n");
@@ -72,7 +71,7 @@ class LiveTest {
         window.untilShown("the other mesh", TestScenes.rendered(scene, SIDE, SIDE));
     }
 
-    @Test
+    @WindowTest
     void aBadSaveKeepsThePictureAndShowsTheErrorUntilTheSceneIsRepaired() throws IOException {
         BufferedImage good = TestScenes.rendered(scene, SIDE, SIDE);
         TestScenes.write(scene, BAD);
@@ -87,7 +86,7 @@ class LiveTest {
         Screen.until("the error is gone", () -> window.problems() == null);
     }
 
-    @Test
+    @WindowTest
     void theSceneThatWasLastReadCanBeSeenOtherwiseWhileItsFileHasErrors() {
         BufferedImage original = TestScenes.rendered(scene, SIDE, SIDE, Stage.ORIGINAL);
         RenderRequest request = window.job().request();
@@ -102,7 +101,7 @@ class LiveTest {
         window.untilProblems("found 'oops'");
     }
 
-    @Test
+    @WindowTest
     void aHalfWrittenFileShowsNoError() {
         int minute = 60_000;
         OpenWindow.run(() -> window.viewer().setPatience(minute));
@@ -118,7 +117,7 @@ class LiveTest {
         assertThat(window.problems()).isNull();
     }
 
-    @Test
+    @WindowTest
     void aDeletedSceneLeavesThePictureAndABannerUntilItIsBack() throws IOException {
         BufferedImage good = TestScenes.rendered(scene, SIDE, SIDE);
         Files.delete(scene);
@@ -133,7 +132,7 @@ class LiveTest {
         Screen.until("the banner is gone", () -> window.banner().message("gone") == null);
     }
 
-    @Test
+    @WindowTest
     void anotherSceneIsWatchedOnceItIsOpened() {
         Path other = TestScenes.plain(folder.resolve("other.scene"), 1, 0, 0);
         OpenWindow.run(() -> window.open(SceneSource.file(other)));
@@ -145,7 +144,7 @@ class LiveTest {
         Screen.until("one thread watches", () -> OpenWindow.threads().stream().filter("simpleray-watcher"::equals).count() == 1);
     }
 
-    @Test
+    @WindowTest
     void stagesAreThoseOfTheSceneAsItIsNow() {
         window.screen.press(KeyEvent.VK_1);
         TestScenes.plain(scene, 0.5, 0, 0);

@@ -7,7 +7,6 @@ import java.lang.ref.WeakReference;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
-import org.junit.jupiter.api.Test;
 import simpleray.Sample;
 import simpleray.ui.file.SceneSource;
 import simpleray.ui.picture.RenderJob;
@@ -19,7 +18,7 @@ class ManyWindowsTest {
     private static final long MEBIBYTE = 1 << 20;
 
     /** A window is made with its native peer and begins to render, but is not shown: that would take the test minutes. */
-    @Test
+    @WindowTest
     void manyWindowsThatOpenedRenderedAndClosedLeaveNoThreadAndNoHeap() throws InterruptedException {
         OpenWindow.run(FlatLightLaf::setup);
         List<WeakReference<ViewerFrame>> frames = new ArrayList<>();
@@ -50,7 +49,7 @@ class ManyWindowsTest {
     }
 
     /** How soon is told, not judged: within 500 ms on a quiet machine. */
-    @Test
+    @WindowTest
     void aWindowClosedMidRenderHasNoThreadsAndItsPictureIsNotFinished() {
         double longest = 0;
         for (int i = 0; i < 3; i++) {
@@ -66,7 +65,7 @@ class ManyWindowsTest {
         System.out.println("threads gone after " + longest + " ms");
     }
 
-    @Test
+    @WindowTest
     void soIsOneThatIsPaused() {
         OpenWindow window = new OpenWindow(TestScenes.slow(TestScenes.THESIS), 200, 200);
         Screen.until("it renders", () -> window.picture().job().state() == RenderJob.State.RENDERING

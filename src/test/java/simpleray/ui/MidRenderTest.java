@@ -11,7 +11,6 @@ import java.nio.file.Path;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
-import org.junit.jupiter.api.Test;
 import simpleray.ui.picture.RenderJob;
 
 /** The window while the upper half of a picture is finished and of the lower half the last pass is held at a gate. */
@@ -35,7 +34,7 @@ class MidRenderTest {
         window.close();
     }
 
-    @Test
+    @WindowTest
     void finishedRowsAreOnTheScreenAndTheOthersInBlocksOfTwoByTwo() throws IOException {
         BufferedImage expected = TestScenes.rendered(TestScenes.THESIS, SIDE, SIDE);
         for (int y = HALF; y < SIDE; y++) {
@@ -50,7 +49,7 @@ class MidRenderTest {
         ImageIO.write(window.screen.capture(all), "png", captures.resolve("mid-render.png").toFile());
     }
 
-    @Test
+    @WindowTest
     void theStatusLineHasRaysDoneTimeGoneTimeLeftAndTheSize() {
         Screen.until("the status line counts the upper half and a quarter of the lower",
             () -> window.status().contains("36,000 of 57,600 rays"));
@@ -59,13 +58,13 @@ class MidRenderTest {
         assertThat(window.label("size")).isEqualTo("240 × 240, final");
     }
 
-    @Test
+    @WindowTest
     void thePictureCannotBeSavedAndTheRenderingCanBeCancelled() {
         assertThat(window.canDo("Save Picture As…")).isFalse();
         assertThat(window.canDo("Cancel")).isTrue();
     }
 
-    @Test
+    @WindowTest
     void escapeCancelsAndWhatIsFinishedStays() {
         window.screen.press(KeyEvent.VK_ESCAPE);
         gate.open();
@@ -77,7 +76,7 @@ class MidRenderTest {
         window.untilShown("the upper half", TestScenes.rendered(TestScenes.THESIS, SIDE, SIDE), 0, HALF);
     }
 
-    @Test
+    @WindowTest
     void itGoesOnToTheEndOnceItIsNotHeldAnyMore() {
         gate.open();
 

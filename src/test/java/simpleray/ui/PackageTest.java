@@ -14,7 +14,6 @@ import java.util.regex.Pattern;
 import java.util.spi.ToolProvider;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Tag;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import simpleray.Project;
 import simpleray.cli.Main;
@@ -25,7 +24,7 @@ class PackageTest {
     @TempDir
     private Path folder;
 
-    @Test
+    @WindowTest
     void theIconIsWhatTheProgramMakesOfItsScene() throws IOException {
         Path resources = Project.root().resolve("src/main/resources/simpleray");
         Path made = folder.resolve("icon.png");
@@ -38,7 +37,7 @@ class PackageTest {
         assertThat(TestScenes.sameAs(ImageIO.read(made.toFile()), icon)).isTrue();
     }
 
-    @Test
+    @WindowTest
     void theWindowHasTheIcon() {
         try (OpenWindow window = new OpenWindow(SceneSource.NONE, 64, 64)) {
             Screen.until("it has the icon", () -> !window.frame.getIconImages().isEmpty());
@@ -49,7 +48,7 @@ class PackageTest {
     }
 
     @Tag("slow")
-    @Test
+    @WindowTest
     void theJavaInThePackageHasEveryModuleThatTheProgramNeeds() throws IOException {
         StringWriter needed = new StringWriter();
         ToolProvider jdeps = ToolProvider.findFirst("jdeps").orElseThrow();

@@ -18,7 +18,6 @@ import javax.swing.JTextArea;
 import javax.swing.JTree;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import simpleray.math.Colour;
 import simpleray.rays.StoryText;
@@ -43,7 +42,7 @@ class PixelMenuTest {
         window.close();
     }
 
-    @Test
+    @WindowTest
     void itTellsWhyThePixelHasItsColour() throws Exception {
         choose("Why This Colour");
 
@@ -52,7 +51,7 @@ class PixelMenuTest {
             && "Pixel 45, 36".equals(label.getText())) != null);
     }
 
-    @Test
+    @WindowTest
     void itShowsThePixelsRays() throws Exception {
         choose("Rays");
 
@@ -60,7 +59,7 @@ class PixelMenuTest {
         assertThat(OpenWindow.ask(window.item("Rays")::isSelected)).isTrue();
     }
 
-    @Test
+    @WindowTest
     void itGoesToTheObjectsLine() throws Exception {
         choose("Go to Line");
 
@@ -68,7 +67,7 @@ class PixelMenuTest {
         Screen.until("the caret is in line 31", () -> lineOfCaret(text) == 31);
     }
 
-    @Test
+    @WindowTest
     void itCopiesTheColourOfATransparentPicture(@TempDir Path folder) throws Exception {
         Path scene = TestScenes.write(folder.resolve("a.scene"), Files.readString(TestScenes.THESIS) + "\nbackground none\n");
         OpenWindow.run(() -> window.open(SceneSource.file(scene)));
@@ -82,7 +81,7 @@ class PixelMenuTest {
         assertThat(Toolkit.getDefaultToolkit().getSystemClipboard().getData(DataFlavor.stringFlavor)).isEqualTo(colour);
     }
 
-    @Test
+    @WindowTest
     void itCopiesTheColour() throws Exception {
         choose("Copy Colour");
 
@@ -92,7 +91,7 @@ class PixelMenuTest {
         assertThat(Toolkit.getDefaultToolkit().getSystemClipboard().getData(DataFlavor.stringFlavor)).isEqualTo(colour);
     }
 
-    @Test
+    @WindowTest
     void lookHereTurnsTheCameraToThatPoint() throws Exception {
         RenderJob before = window.job();
         choose("Look Here");

@@ -12,7 +12,6 @@ import javax.swing.JTree;
 import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
-import org.junit.jupiter.api.Test;
 import simpleray.render.Stage;
 import simpleray.ui.desktop.Preferences;
 import simpleray.ui.file.SceneSource;
@@ -33,7 +32,7 @@ class ToolBarTest {
         window.close();
     }
 
-    @Test
+    @WindowTest
     void aStageIsPressedWhileItIsShownWhateverChoseIt() {
         window.screen.click(button("Lighting"));
         window.untilShown("the stage", TestScenes.rendered(TestScenes.THESIS, 90, 60, Stage.LIGHTING));
@@ -47,7 +46,7 @@ class ToolBarTest {
         assertThat(pressed()).containsExactly("Original");
     }
 
-    @Test
+    @WindowTest
     void theSmallestWindowShowsAllMenusAndButtonsAndAPicture() throws InterruptedException {
         JFrame small = OpenWindow.ask(() -> OpenWindow.hidden(Preferences.none()));
         OpenWindow.run(() -> {
@@ -62,7 +61,7 @@ class ToolBarTest {
         OpenWindow.end(small);
     }
 
-    @Test
+    @WindowTest
     void textAndStoryAreOpenedAndTheTextIsHiddenAgain() {
         window.screen.click(button("Story"));
         OpenWindow.appears("the story", JTree.class, tree -> true);
@@ -75,7 +74,7 @@ class ToolBarTest {
         assertThat(pressed()).containsExactly("Final");
     }
 
-    @Test
+    @WindowTest
     void aButtonCanWhenItsItemCanAndTellsItsKey() {
         assertThat(OpenWindow.ask(button("Save")::isEnabled)).isTrue();
         assertThat(OpenWindow.ask(button("Pause")::isEnabled)).isFalse();
@@ -83,7 +82,7 @@ class ToolBarTest {
         assertThat(button("Reload").getToolTipText()).isEqualTo("Reload (Ctrl+R, F5)");
     }
 
-    @Test
+    @WindowTest
     void noButtonTakesTheKeysFromThePicture() {
         window.screen.click(button("Reload"));
         window.untilState(RenderJob.State.FINISHED);

@@ -7,7 +7,6 @@ import java.awt.image.BufferedImage;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import simpleray.render.Stage;
 
@@ -17,7 +16,7 @@ class ViewCommandTest {
 
     private final Screen screen = new Screen();
 
-    @Test
+    @WindowTest
     void itTakesTheOptionsOfRenderAndShowsThePictureUntilItIsEnded() throws Exception {
         BufferedImage expected = TestScenes.rendered(TestScenes.THESIS, 300, 200, Stage.LIGHTING);
         Path java = Path.of(System.getProperty("java.home"), "bin", "java");
@@ -40,7 +39,7 @@ class ViewCommandTest {
     }
 
     /** Java's fonts keep a list in the user's home, which is {@code ?} for a user who is not in /etc/passwd. */
-    @Test
+    @WindowTest
     void aUserWithoutAHomeGetsNoFolder(@TempDir Path folder) throws Exception {
         ProcessBuilder builder = new ProcessBuilder(Path.of(System.getProperty("java.home"), "bin", "java").toString(), "-Duser.home=?",
             "-Dsimpleray.rehearsal=true", "-jar", System.getProperty("simpleray.jar"), "view", TestScenes.THESIS.toString())

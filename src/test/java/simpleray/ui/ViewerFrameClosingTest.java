@@ -10,7 +10,6 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import simpleray.ui.file.SceneSource;
 import simpleray.ui.picture.RenderJob;
@@ -27,7 +26,7 @@ class ViewerFrameClosingTest {
         }
     }
 
-    @Test
+    @WindowTest
     void closingAWindowThatRendersEndsItsThreads() {
         window = openRendering();
         OpenWindow.run(() -> window.frame.dispatchEvent(new WindowEvent(window.frame, WindowEvent.WINDOW_CLOSING)));
@@ -38,7 +37,7 @@ class ViewerFrameClosingTest {
         assertThat(OpenWindow.ask(window.frame::isDisplayable)).isFalse();
     }
 
-    @Test
+    @WindowTest
     void quittingEndsTheThreadsOfARendering() {
         window = openRendering();
         window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_Q);
@@ -47,7 +46,7 @@ class ViewerFrameClosingTest {
         assertThat(window.job().state()).isEqualTo(RenderJob.State.CANCELLED);
     }
 
-    @Test
+    @WindowTest
     void aRenderingThatTookThePlaceOfAnotherEndsIt() {
         window = openRendering();
         RenderJob first = window.job();
@@ -58,7 +57,7 @@ class ViewerFrameClosingTest {
         assertThat(window.job().state().ended()).isFalse();
     }
 
-    @Test
+    @WindowTest
     void viewReturnsWhenTheWindowIsClosedAndItsThreadsHaveEnded() throws InterruptedException {
         Thread viewing = view(TestScenes.slow(TestScenes.THESIS), SIDE);
         ViewerFrame frame = OpenWindow.appears("the window", ViewerFrame.class, f -> f.isFocused() && isRendering(f));
@@ -70,7 +69,7 @@ class ViewerFrameClosingTest {
         assertThat(OpenWindow.threads()).isEmpty();
     }
 
-    @Test
+    @WindowTest
     void aPictureThatIsBeingSavedIsSavedToTheEnd(@TempDir Path folder) throws Exception {
         Path saved = folder.resolve("large.png");
         Thread viewing = view(SceneSource.file(TestScenes.THESIS), 900);
@@ -89,7 +88,7 @@ class ViewerFrameClosingTest {
     }
 
     /** A pipe that nobody writes to, for example. */
-    @Test
+    @WindowTest
     void viewReturnsThoughTheSceneCannotBeReadToItsEnd() throws InterruptedException {
         CountDownLatch never = new CountDownLatch(1);
         Thread viewing = view(TestScenes.read(() -> {

@@ -11,7 +11,6 @@ import javax.swing.MenuElement;
 import javax.swing.MenuSelectionManager;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -65,7 +64,7 @@ class ViewerMenusKeysTest {
         window.untilShown("the picture", TestScenes.rendered(TestScenes.THESIS, 90, 60));
     }
 
-    @Test
+    @WindowTest
     void escapeDoesNothingToAFinishedPicture() {
         window.screen.press(KeyEvent.VK_ESCAPE);
 
@@ -74,7 +73,7 @@ class ViewerMenusKeysTest {
     }
 
     /** From Swing's own sign of the open menu; no rendering starts by these keys, as an orbit would. */
-    @Test
+    @WindowTest
     void theArrowKeysWalkThroughAllMenusAndMoveNothingElse() {
         RenderJob before = window.job();
         List<String> all = OpenWindow.ask(() -> Arrays.stream(window.frame.getJMenuBar().getSubElements())
@@ -123,7 +122,7 @@ class ViewerMenusKeysTest {
         });
     }
 
-    @Test
+    @WindowTest
     void controlQQuits() {
         window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_Q);
 

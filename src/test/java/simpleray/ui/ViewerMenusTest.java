@@ -9,7 +9,6 @@ import javax.swing.JMenu;
 import javax.swing.JMenuItem;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
-import org.junit.jupiter.api.Test;
 import simpleray.render.Stage;
 import simpleray.ui.file.SceneSource;
 import simpleray.ui.picture.RenderJob;
@@ -29,7 +28,7 @@ class ViewerMenusTest {
         window.close();
     }
 
-    @Test
+    @WindowTest
     void theFileMenuOpensSavesAndQuits() {
         assertThat(items(opened("File"))).containsExactly(
             "New ctrl pressed N", "Open… ctrl pressed O", "Examples… shift ctrl pressed O", "Open Recent null",
@@ -38,7 +37,7 @@ class ViewerMenusTest {
             "Quit ctrl pressed Q");
     }
 
-    @Test
+    @WindowTest
     void theStageMenuHasTheThesissThreePicturesItsTermsAndTheViews() {
         assertThat(items(opened("Stage"))).containsExactly("Original Scene pressed 1", "With Lighting pressed 2",
             "With Shadows and Reflections pressed 3", "Ambient Term pressed A", "Diffuse Term pressed D", "Specular Term pressed S",
@@ -46,7 +45,7 @@ class ViewerMenusTest {
             "Depth pressed Z", "Object Numbers pressed O", "Bounces of Rays pressed R", "Shadows pressed M");
     }
 
-    @Test
+    @WindowTest
     void theInspectMenuHasTheStoryAndThePixelCursor() {
         assertThat(items(opened("Inspect"))).containsExactly("Story of the Pixel pressed I", "Copy Story shift ctrl pressed I",
             "Close Story shift pressed I", "Next Ray pressed PERIOD", "Previous Ray pressed COMMA",
@@ -54,7 +53,7 @@ class ViewerMenusTest {
             "Pixel Cursor Up alt pressed UP", "Pixel Cursor Down alt pressed DOWN");
     }
 
-    @Test
+    @WindowTest
     void theRenderMenuPausesCancelsAndPlaysFilms() {
         assertThat(items(opened("Render"))).containsExactly("Pause pressed SPACE", "Cancel pressed ESCAPE", "Play Film pressed P",
             "First Frame alt pressed HOME", "Previous Frame alt pressed PAGE_UP", "Next Frame alt pressed PAGE_DOWN",
@@ -62,7 +61,7 @@ class ViewerMenusTest {
             "Write into the Scene null");
     }
 
-    @Test
+    @WindowTest
     void aClickOnAStageShowsIt() {
         opened("Stage");
         window.screen.click(window.item("With Lighting"));
@@ -70,7 +69,7 @@ class ViewerMenusTest {
         window.untilShown("the stage", TestScenes.rendered(TestScenes.THESIS, 90, 60, Stage.LIGHTING));
     }
 
-    @Test
+    @WindowTest
     void aClickOnReloadRendersAgain() {
         RenderJob before = window.job();
         opened("File");
@@ -80,7 +79,7 @@ class ViewerMenusTest {
         window.untilState(RenderJob.State.FINISHED);
     }
 
-    @Test
+    @WindowTest
     void aClickOnOpenAsksForAFile() {
         opened("File");
         window.screen.click(window.item("Open…"));
@@ -88,7 +87,7 @@ class ViewerMenusTest {
         assertThat(new FileDialog(window.screen).proposal()).isEmpty();
     }
 
-    @Test
+    @WindowTest
     void aClickOnQuitClosesTheWindow() {
         opened("File");
         window.screen.click(window.item("Quit"));

@@ -9,7 +9,6 @@ import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
-import org.junit.jupiter.api.Test;
 import simpleray.Project;
 import simpleray.ui.desktop.Shortcuts;
 import simpleray.ui.file.SceneSource;
@@ -20,7 +19,7 @@ class WindowPageTest {
 
     private final Path page = Project.root().resolve("docs/window.md");
 
-    @Test
+    @WindowTest
     void itsTableOfKeysIsThatOfTheMenus() throws IOException {
         List<String> keys;
         try (OpenWindow window = new OpenWindow(SceneSource.NONE, 64, 64)) {
@@ -31,13 +30,13 @@ class WindowPageTest {
         assertThat(rows("Keys")).hasSizeGreaterThan(50).containsExactlyElementsOf(keys);
     }
 
-    @Test
+    @WindowTest
     void itsTableOfGesturesIsThatOfTheDialog() throws IOException {
         assertThat(rows("Mouse, and keys of single panes")).containsExactlyElementsOf(Shortcuts.GESTURES.stream()
             .map(gesture -> gesture.keys() + " | " + gesture.place() + ": " + gesture.command()).collect(Collectors.toList()));
     }
 
-    @Test
+    @WindowTest
     void itsCapturesAreThereAndSmall() throws IOException {
         Matcher images = Pattern.compile("!\\[[^\\]]+\\]\\(([^)]+)\\)").matcher(Files.readString(page));
         List<String> shown = images.results().map(image -> image.group(1)).collect(Collectors.toList());

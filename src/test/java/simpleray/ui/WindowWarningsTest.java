@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Path;
 import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import simpleray.ui.file.SceneSource;
 import simpleray.ui.picture.RenderJob;
@@ -22,7 +21,7 @@ class WindowWarningsTest {
         window.close();
     }
 
-    @Test
+    @WindowTest
     void ofAFilmTheFirstFrameIsShownAndAnObjectThatComesLaterIsNoWarning() {
         String room = "2\n1  0 0 1 -1  0.2 0.4 0.6  0 0 0  0 0 0  0\n0  0 0 %s  1  0.2 0.4 0.6  0 0 0  0 0 0  0\n1 1 1\n0\ncamera 0 0 %s  0 0 0  50\n";
         Path scene = folder.resolve("film.scene");
@@ -36,7 +35,7 @@ class WindowWarningsTest {
         assertThat(window.problems()).isNull();
     }
 
-    @Test
+    @WindowTest
     void anObjectThatIsNotSeenIsToldOnceThePictureIsWhole() {
         Path scene = folder.resolve("room.scene");
         TestScenes.write(scene, "2\n1  0 0 1 -1  0.2 0.4 0.6  0 0 0  0 0 0  0\n0  0 0 9  1  0.2 0.4 0.6  0 0 0  0 0 0  0\n1 1 1\n0\n");

@@ -18,12 +18,12 @@ import javax.swing.JButton;
 import javax.swing.JComboBox;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import simpleray.render.Stage;
 import simpleray.ui.OpenWindow;
 import simpleray.ui.Screen;
 import simpleray.ui.TestScenes;
+import simpleray.ui.WindowTest;
 import simpleray.ui.file.SceneSource;
 
 /** Comparing the last pictures, clipped pixels and the histogram, by keys and mouse. */
@@ -51,7 +51,7 @@ class CompareViewTest {
         window.close();
     }
 
-    @Test
+    @WindowTest
     void twoPicturesAreShownSideBySideAndTheKeyEndsIt() throws IOException {
         window.screen.press(KeyEvent.VK_B);
         untilShows("the first picture", () -> view().leftPlace(), whole);
@@ -63,7 +63,7 @@ class CompareViewTest {
         Screen.until("the picture has the keys", () -> window.picture().isFocusOwner());
     }
 
-    @Test
+    @WindowTest
     void theDividerIsMovedByKeys() throws IOException {
         window.screen.press(KeyEvent.VK_W);
         untilWiped(0.5);
@@ -78,7 +78,7 @@ class CompareViewTest {
         assertThat(OpenWindow.ask(() -> view().getAccessibleContext().getAccessibleDescription())).isEqualTo("Divider at 100 %");
     }
 
-    @Test
+    @WindowTest
     void theDividerIsDraggedByTheMouse() throws Exception {
         window.screen.press(KeyEvent.VK_W);
         untilWiped(0.5);
@@ -96,7 +96,7 @@ class CompareViewTest {
         untilWiped(0.25);
     }
 
-    @Test
+    @WindowTest
     void aFittedPictureIsFittedWhileItIsComparedAndTheLabelTellsTheScale() {
         window.screen.press(KeyEvent.VK_F);
         window.screen.press(KeyEvent.VK_W);
@@ -115,13 +115,13 @@ class CompareViewTest {
         window.untilShown("the picture alone", lighting);
     }
 
-    @Test
+    @WindowTest
     void theListsBeginWithTheStage() {
         assertThat(OpenWindow.ask(() -> window.comparison().pictures().toString()))
             .matches("\\[final, thesis\\.scene, 120 × 90, .*, lighting, thesis\\.scene, 120 × 90, .*at \\d\\d:\\d\\d:\\d\\d\\]");
     }
 
-    @Test
+    @WindowTest
     void oneModeEndsTheOther() {
         window.screen.press(KeyEvent.VK_W);
         untilWiped(0.5);
@@ -132,7 +132,7 @@ class CompareViewTest {
         untilWiped(0.5);
     }
 
-    @Test
+    @WindowTest
     void anyTwoCanBeChosenAndTheLatestIsFollowed() {
         window.screen.press(KeyEvent.VK_B);
         untilShows("the first picture", () -> view().leftPlace(), whole);
@@ -147,7 +147,7 @@ class CompareViewTest {
         untilShows("the first picture", () -> view().leftPlace(), whole);
     }
 
-    @Test
+    @WindowTest
     void clippedPixelsAreMarkedAndCounted() throws IOException {
         Path bright = TestScenes.plain(folder.resolve("bright.scene"), 1.5, 0.5, 0.5);
         OpenWindow.run(() -> window.open(SceneSource.file(bright)));
@@ -160,7 +160,7 @@ class CompareViewTest {
         window.untilShown("the picture without them", TestScenes.rendered(bright, WIDTH, HEIGHT));
     }
 
-    @Test
+    @WindowTest
     void clippedPixelsAreMarkedInBothPicturesThatAreCompared() {
         Path bright = TestScenes.plain(folder.resolve("bright.scene"), 1.5, 0.5, 0.5);
         OpenWindow.run(() -> window.open(SceneSource.file(bright)));
@@ -189,7 +189,7 @@ class CompareViewTest {
         return magenta;
     }
 
-    @Test
+    @WindowTest
     void theHistogramIsShownBesideThePicture() throws IOException {
         window.screen.press(KeyEvent.VK_H);
         Screen.until("it is shown", () -> chart() != null);

@@ -5,11 +5,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.awt.image.BufferedImage;
 import java.time.LocalTime;
 import java.util.stream.IntStream;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import simpleray.image.Picture;
 import simpleray.ui.OpenWindow;
+import simpleray.ui.WindowTest;
 import simpleray.ui.file.SceneSource;
 
 /** How light is counted, and which of it a screen cannot show. */
@@ -17,7 +17,7 @@ class HistogramTest {
     private static final double ABOVE = Math.nextUp(1.0);
     private static final double BELOW = -Double.MIN_VALUE;
 
-    @Test
+    @WindowTest
     void lightIsCountedInTheBinItIsIn() {
         Histogram histogram = new Histogram();
         histogram.add(0, 0.5, 1);
@@ -37,7 +37,7 @@ class HistogramTest {
         assertThat(histogram.clippedBelow()).isEqualTo(1);
     }
 
-    @Test
+    @WindowTest
     void itTellsTheRangeTheMeanAndWhatIsClipped() {
         Histogram histogram = new Histogram();
         histogram.add(-0.5, 0.25, 0);
@@ -54,7 +54,7 @@ class HistogramTest {
         assertThat(Integer.toHexString(Clipped.mark(Clipped.flags(red, green, blue)))).isEqualTo(mark);
     }
 
-    @Test
+    @WindowTest
     void aFinishedPictureHasItsLevelsItsMarksAndItsCounts() {
         Picture picture = new Picture(2, 2);
         picture.setRow(0, new double[] {0, 0.5, 1, 1.5, 0, 0});
@@ -72,7 +72,7 @@ class HistogramTest {
     }
 
     /** On the chequered ground of 153, the half transparent red is (0.5 · 255 + 0.5 · 153, 0.5 · 153, …); alpha has 128 levels. */
-    @Test
+    @WindowTest
     void aTransparentPictureIsPutOnAChequeredGroundAndCountedWhereItIsNot() {
         Picture picture = new Picture(2, 2, Picture.RGBA);
         picture.setRow(0, new double[] {1, 0, 0, 0.5, 0, 0, 0, 0});

@@ -6,16 +6,16 @@ import java.time.LocalTime;
 import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
-import org.junit.jupiter.api.Test;
 import simpleray.image.Picture;
 import simpleray.ui.OpenWindow;
+import simpleray.ui.WindowTest;
 import simpleray.ui.file.SceneSource;
 
 /** Which pictures are kept to be compared. */
 class HistoryTest {
     private static final int BYTES = 10 * 10 * 4;
 
-    @Test
+    @WindowTest
     void theLastEightAreKept() {
         History history = new History();
         List<FinishedRender> made = finished(10);
@@ -24,7 +24,7 @@ class HistoryTest {
         assertThat(history.pictures()).isEqualTo(made.subList(2, 10));
     }
 
-    @Test
+    @WindowTest
     void theOldestGoWhereThereIsNotRoomForAll() {
         History history = new History(3 * BYTES);
         List<FinishedRender> made = finished(5);
@@ -33,7 +33,7 @@ class HistoryTest {
         assertThat(history.pictures()).isEqualTo(made.subList(2, 5));
     }
 
-    @Test
+    @WindowTest
     void aPictureLargerThanTheRoomIsNotKept() {
         History history = new History(BYTES - 1);
         finished(2).forEach(history::add);
@@ -41,7 +41,7 @@ class HistoryTest {
         assertThat(history.pictures()).isEmpty();
     }
 
-    @Test
+    @WindowTest
     void onesThatTheMachineTookBackAreGone() {
         History history = new History();
         List<FinishedRender> made = finished(3);

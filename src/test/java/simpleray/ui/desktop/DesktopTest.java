@@ -30,11 +30,11 @@ import javax.swing.MenuElement;
 import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import simpleray.ui.OpenWindow;
 import simpleray.ui.Screen;
 import simpleray.ui.TestScenes;
+import simpleray.ui.WindowTest;
 import simpleray.ui.file.SceneSource;
 import simpleray.ui.picture.RenderJob;
 
@@ -56,7 +56,7 @@ class DesktopTest {
         OpenWindow.run(FlatLightLaf::setup);
     }
 
-    @Test
+    @WindowTest
     void aRecentSceneIsOpenedByItsNumber() {
         Path blue = TestScenes.plain(folder.resolve("blue.scene"), 0, 0, 1);
         OpenWindow.run(() -> window.open(SceneSource.file(blue)));
@@ -69,7 +69,7 @@ class DesktopTest {
         assertThat(recent()).startsWith("1 " + shortened(TestScenes.THESIS.toAbsolutePath()), "2 " + shortened(blue));
     }
 
-    @Test
+    @WindowTest
     void aRecentSceneThatIsGoneIsSaidToBeAndDropped() throws IOException {
         Path gone = TestScenes.plain(folder.resolve("gone.scene"), 0, 0, 1);
         OpenWindow.run(() -> window.open(SceneSource.file(gone)));
@@ -84,7 +84,7 @@ class DesktopTest {
         assertThat(window.job()).isSameAs(before);
     }
 
-    @Test
+    @WindowTest
     void clearForgetsAllRecentScenes() {
         choose("File", "Open Recent", "Clear");
 
@@ -92,7 +92,7 @@ class DesktopTest {
         assertThat(window.canDo("Open Recent")).isFalse();
     }
 
-    @Test
+    @WindowTest
     void aDarkAndALightLookAreShownAtOnce() throws IOException {
         int light = brightness();
         choose("View", "Look", "Dark");
@@ -103,7 +103,7 @@ class DesktopTest {
         Screen.until("the window is light", () -> !FlatLaf.isLafDark() && brightness() == light);
     }
 
-    @Test
+    @WindowTest
     void theDialogOfShortcutsHasEveryKeyOfTheMenus() throws IOException {
         window.screen.press(KeyEvent.VK_SHIFT, KeyEvent.VK_SLASH);
         OpenWindow.appears("the gestures", JTable.class, t -> "Mouse".equals(t.getAccessibleContext().getAccessibleName()));
@@ -123,7 +123,7 @@ class DesktopTest {
         Screen.until("the dialog is gone", () -> !table.isShowing());
     }
 
-    @Test
+    @WindowTest
     void f1ShowsTheGesturesFirst() {
         window.screen.press(KeyEvent.VK_F1);
         JTable table = OpenWindow.appears("the gestures", JTable.class, t -> "Mouse".equals(t.getAccessibleContext().getAccessibleName()));
@@ -134,18 +134,18 @@ class DesktopTest {
         Screen.until("the dialog is gone", () -> !table.isShowing());
     }
 
-    @Test
+    @WindowTest
     void noTwoItemsOfTheMenusHaveTheSameKey() {
         assertThat(OpenWindow.ask(() -> keys(window.frame.getJMenuBar()).collect(Collectors.toList()))).doesNotHaveDuplicates();
     }
 
-    @Test
+    @WindowTest
     void theMouseDialogTellsEveryGesture() {
         assertThat(Shortcuts.GESTURES).extracting(Shortcuts.Shortcut::command).doesNotHaveDuplicates().contains("Open a scene");
         assertThat(Shortcuts.name(KeyStroke.getKeyStroke("control shift L"))).isEqualTo("Ctrl+Shift+L");
     }
 
-    @Test
+    @WindowTest
     void theProgramSaysWhichItIs() {
         OpenWindow.later(window.item("About SimpleRay")::doClick);
         JOptionPane about = OpenWindow.appears("about", JOptionPane.class, pane -> true);

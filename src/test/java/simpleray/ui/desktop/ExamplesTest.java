@@ -20,13 +20,13 @@ import javax.swing.JOptionPane;
 import javax.swing.JTextArea;
 import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import simpleray.Project;
 import simpleray.ui.FileDialog;
 import simpleray.ui.OpenWindow;
 import simpleray.ui.Screen;
 import simpleray.ui.TestScenes;
+import simpleray.ui.WindowTest;
 import simpleray.ui.file.SceneSource;
 import simpleray.ui.picture.RenderJob;
 
@@ -44,7 +44,7 @@ class ExamplesTest {
         window.close();
     }
 
-    @Test
+    @WindowTest
     void aWindowWithoutASceneShowsEverySampleAsAPicture() throws IOException {
         window = new OpenWindow(SceneSource.NONE, SIDE, SIDE);
         Set<String> names = Project.names(SCENES, ".scene").stream().map(name -> name.replace('-', ' ')).collect(Collectors.toSet());
@@ -56,7 +56,7 @@ class ExamplesTest {
             .allMatch(button -> ((Thumbnail) button.getIcon()).isRendered())));
     }
 
-    @Test
+    @WindowTest
     void aClickOnASampleShowsItAndTheSampleHasNoFile() {
         window = new OpenWindow(SceneSource.NONE, SIDE, SIDE);
         window.screen.click(sample("Ball pyramid"));
@@ -67,7 +67,7 @@ class ExamplesTest {
         assertThat(OpenWindow.ask(() -> window.frame.getFocusOwner())).isSameAs(window.picture());
     }
 
-    @Test
+    @WindowTest
     void theDialogOfExamplesOpensOneInPlaceOfTheScene() {
         window = new OpenWindow(SceneSource.file(TestScenes.plain(folder.resolve("blue.scene"), 0, 0, 1)), SIDE, SIDE);
         window.untilState(RenderJob.State.FINISHED);
@@ -80,7 +80,7 @@ class ExamplesTest {
         assertThat(dialog.isShowing()).isFalse();
     }
 
-    @Test
+    @WindowTest
     void aSampleIsSavedWithItsMeshes() throws IOException {
         openHouse();
         Path own = folder.resolve("mine.scene");
@@ -95,7 +95,7 @@ class ExamplesTest {
         }
     }
 
-    @Test
+    @WindowTest
     void anotherFileWithAMeshesNameIsNotWrittenOver() throws IOException {
         Path other = Files.write(folder.resolve("house.obj"), "another".getBytes(StandardCharsets.US_ASCII));
         openHouse();
@@ -111,7 +111,7 @@ class ExamplesTest {
         assertThat(folder).isDirectoryContaining(file -> file.equals(other)).isDirectoryNotContaining(file -> !file.equals(other));
     }
 
-    @Test
+    @WindowTest
     void aNewSceneShowsItsTextAndIsSavedByTheKeyOfItsText() throws IOException {
         window = new OpenWindow(SceneSource.NONE, SIDE, SIDE);
         window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_N);

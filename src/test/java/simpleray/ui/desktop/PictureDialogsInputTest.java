@@ -12,13 +12,13 @@ import javax.swing.JOptionPane;
 import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import simpleray.cli.Main;
 import simpleray.ui.FileDialog;
 import simpleray.ui.OpenWindow;
 import simpleray.ui.Screen;
 import simpleray.ui.TestScenes;
+import simpleray.ui.WindowTest;
 import simpleray.ui.file.SceneSource;
 import simpleray.ui.picture.RenderJob;
 
@@ -45,7 +45,7 @@ class PictureDialogsInputTest {
         window.close();
     }
 
-    @Test
+    @WindowTest
     void thePictureThatCarriesTheSceneIsNotReplaced() throws IOException {
         Path link = Files.createLink(folder.resolve("link.png"), picture);
         window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_S);

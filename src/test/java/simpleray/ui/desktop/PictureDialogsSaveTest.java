@@ -13,13 +13,13 @@ import javax.swing.JOptionPane;
 import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import simpleray.cli.Main;
 import simpleray.ui.FileDialog;
 import simpleray.ui.OpenWindow;
 import simpleray.ui.Screen;
 import simpleray.ui.TestScenes;
+import simpleray.ui.WindowTest;
 import simpleray.ui.file.SceneSource;
 import simpleray.ui.picture.RenderJob;
 
@@ -42,7 +42,7 @@ class PictureDialogsSaveTest {
         window.close();
     }
 
-    @Test
+    @WindowTest
     void theSavedFileEqualsThatOfTheCommandRender() throws IOException {
         Path saved = folder.resolve("saved.png");
         save().enter(saved);
@@ -53,7 +53,7 @@ class PictureDialogsSaveTest {
         assertThat(folder).isDirectoryNotContaining(file -> !file.equals(saved));
     }
 
-    @Test
+    @WindowTest
     void theSceneGivesTheNameAndPngIsAddedWhereItIsMissing() throws IOException {
         FileDialog dialog = save();
         assertThat(dialog.proposal()).endsWith("thesis.png");
@@ -64,7 +64,7 @@ class PictureDialogsSaveTest {
         assertThat(saved).hasBinaryContent(renderedByCommand());
     }
 
-    @Test
+    @WindowTest
     void anOldFileStaysIfTheUserCancelsReplacingIt() throws IOException {
         Path old = Files.write(folder.resolve("old.png"), OLD);
         FileDialog dialog = save();
@@ -78,7 +78,7 @@ class PictureDialogsSaveTest {
         assertThat(old).hasBinaryContent(OLD);
     }
 
-    @Test
+    @WindowTest
     void anOldFileIsReplacedIfTheUserAgrees() throws IOException {
         Path old = Files.write(folder.resolve("old.png"), OLD);
         FileDialog dialog = save();
@@ -90,7 +90,7 @@ class PictureDialogsSaveTest {
         assertThat(old).hasBinaryContent(renderedByCommand());
     }
 
-    @Test
+    @WindowTest
     void whatCannotBeSavedIsToldWithTheReason() {
         Path lost = folder.resolve("none").resolve("lost.png");
         save().enter(lost);

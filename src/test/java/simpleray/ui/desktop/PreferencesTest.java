@@ -15,12 +15,12 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import javax.swing.JFrame;
 import javax.swing.JLabel;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import simpleray.ui.OpenWindow;
 import simpleray.ui.Screen;
+import simpleray.ui.WindowTest;
 import simpleray.ui.picture.SimpleRay;
 import simpleray.ui.picture.ViewerContext;
 import simpleray.ui.widget.Look;
@@ -32,7 +32,7 @@ class PreferencesTest {
     @TempDir
     private Path folder;
 
-    @Test
+    @WindowTest
     void whatIsChangedIsThereInTheNextRun() throws InterruptedException {
         Path file = folder.resolve("new").resolve("window.properties");
         Preferences first = Preferences.load(file);
@@ -52,13 +52,13 @@ class PreferencesTest {
         end(second);
     }
 
-    @Test
+    @WindowTest
     void aNewUserHasTheDesktopsLookAndNothingElse() {
         assertIsNew(Preferences.load(folder.resolve("none")));
         assertIsNew(Preferences.none());
     }
 
-    @Test
+    @WindowTest
     void theLastTenScenesAreRememberedTheLatestFirstAndEachOnce() {
         Preferences preferences = Preferences.none();
         IntStream.rangeClosed(1, 12).forEach(i -> preferences.opened(folder.resolve(i + ".scene")));
@@ -72,7 +72,7 @@ class PreferencesTest {
         assertThat(preferences.recent()).isEmpty();
     }
 
-    @Test
+    @WindowTest
     void whatTheWheelAndTypingDoIsRemembered() throws InterruptedException {
         Path file = folder.resolve("window.properties");
         JFrame first = OpenWindow.ask(() -> OpenWindow.hidden(Preferences.load(file)));
@@ -99,7 +99,7 @@ class PreferencesTest {
         OpenWindow.end(next);
     }
 
-    @Test
+    @WindowTest
     void twoWindowsDoNotForgetEachOthersScenes() throws InterruptedException {
         Path file = folder.resolve("shared.properties");
         Preferences one = Preferences.load(file);
@@ -127,7 +127,7 @@ class PreferencesTest {
         assertIsNew(Preferences.load(Files.writeString(folder.resolve("bad.properties"), text)));
     }
 
-    @Test
+    @WindowTest
     void binaryJunkIsAsIfItWereNotThereAndIsReplaced() throws IOException, InterruptedException {
         byte[] junk = new byte[2_000_000];
         new Random(1).nextBytes(junk);
@@ -140,14 +140,14 @@ class PreferencesTest {
         assertThat(Preferences.load(file).place()).isEqualTo(PLACE);
     }
 
-    @Test
+    @WindowTest
     void whatStandsBeforeABrokenLineIsKept() throws IOException {
         Path file = Files.writeString(folder.resolve("half"), "look = dark\nbad = \\uZZZZ\n");
 
         assertThat(Preferences.load(file).look()).isEqualTo(Look.DARK);
     }
 
-    @Test
+    @WindowTest
     void aFolderInPlaceOfTheFileStaysAsItIs() throws InterruptedException {
         Preferences preferences = Preferences.load(folder);
         assertIsNew(preferences);
@@ -158,7 +158,7 @@ class PreferencesTest {
         assertThat(folder).isEmptyDirectory();
     }
 
-    @Test
+    @WindowTest
     void aFileInPlaceOfTheFolderStaysAsItIs() throws IOException, InterruptedException {
         Path wall = Files.writeString(folder.resolve("wall"), "a file");
         Preferences preferences = Preferences.load(wall.resolve("window.properties"));
@@ -170,7 +170,7 @@ class PreferencesTest {
         assertThat(wall).hasContent("a file");
     }
 
-    @Test
+    @WindowTest
     void whatCannotBeWrittenIsForgottenAtTheEnd() throws InterruptedException {
         Path file = Path.of("/proc/simpleray/window.properties");   // where nobody may write, not even root
         Preferences preferences = Preferences.load(file);
@@ -181,7 +181,7 @@ class PreferencesTest {
         assertIsNew(Preferences.load(file));
     }
 
-    @Test
+    @WindowTest
     void theFileCanBeReadByPeople() throws IOException, InterruptedException {
         Path file = folder.resolve("window.properties");
         Preferences preferences = Preferences.load(file);

@@ -23,11 +23,11 @@ import javax.swing.JWindow;
 import javax.swing.TransferHandler;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import simpleray.ui.OpenWindow;
 import simpleray.ui.Screen;
 import simpleray.ui.TestScenes;
+import simpleray.ui.WindowTest;
 import simpleray.ui.file.SceneSource;
 import simpleray.ui.picture.RenderJob;
 
@@ -50,7 +50,7 @@ class SceneDropTest {
         window.close();
     }
 
-    @Test
+    @WindowTest
     void aSceneDraggedFromAnotherWindowIsOpened() throws Exception {
         Path blue = TestScenes.plain(folder.resolve("blue.scene"), 0, 0, 1);
         drag(blue.toFile());
@@ -59,7 +59,7 @@ class SceneDropTest {
         assertThat(OpenWindow.ask(window.frame::getTitle)).isEqualTo("blue.scene - SimpleRay");
     }
 
-    @Test
+    @WindowTest
     void ofSeveralFilesTheFirstIsOpened() {
         Path blue = TestScenes.plain(folder.resolve("blue.scene"), 0, 0, 1);
 
@@ -67,7 +67,7 @@ class SceneDropTest {
         window.untilShown("the dropped scene", TestScenes.rendered(blue, SIDE, SIDE));
     }
 
-    @Test
+    @WindowTest
     void aFolderIsNotOpened() {
         assertThat(drop(new Files(List.of(folder.toFile())))).isFalse();
         assertThat(window.status()).isEqualTo(folder.getFileName() + " is a folder: drop a scene file");

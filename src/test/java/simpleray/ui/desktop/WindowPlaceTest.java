@@ -10,11 +10,11 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import javax.swing.JFrame;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import simpleray.ui.OpenWindow;
 import simpleray.ui.Screen;
 import simpleray.ui.TestScenes;
+import simpleray.ui.WindowTest;
 
 /** A window comes back where it was, if it can be seen there. */
 class WindowPlaceTest {
@@ -25,19 +25,19 @@ class WindowPlaceTest {
     @TempDir
     private Path folder;
 
-    @Test
+    @WindowTest
     void aPlaceOnAnyScreenIsTaken() {
         assertThat(seen(new Rectangle(10, 20, 500, 400))).isEqualTo(new Rectangle(10, 20, 500, 400));
         assertThat(seen(new Rectangle(1500, 20, 800, 400))).isEqualTo(new Rectangle(1500, 20, 800, 400));
         assertThat(seen(new Rectangle(-300, 700, 500, 400))).isEqualTo(new Rectangle(-300, 700, 500, 400));
     }
 
-    @Test
+    @WindowTest
     void aWindowIsNoLargerThanItsScreen() {
         assertThat(seen(new Rectangle(10, 20, 1_000_000, 999_999))).isEqualTo(new Rectangle(10, 20, 1000, 800));
     }
 
-    @Test
+    @WindowTest
     void aPlaceWhereItCannotBeTakenHoldOfIsNotTaken() {
         assertThat(seen(new Rectangle(5000, 20, 500, 400))).isNull();
         assertThat(seen(new Rectangle(-450, 20, 500, 400))).isNull();
@@ -47,7 +47,7 @@ class WindowPlaceTest {
     }
 
     /** What the window asks for is looked at, and that before it is shown: without a window manager the toolkit often learns its place wrong. */
-    @Test
+    @WindowTest
     void aWindowIsWhereTheLastOneWasAndIsRemembered() throws InterruptedException, IOException {
         Path file = TestScenes.write(folder.resolve("window.properties"),
             "window.x=70\nwindow.y=90\nwindow.width=800\nwindow.height=600\n");
@@ -64,7 +64,7 @@ class WindowPlaceTest {
         assertThat(Preferences.load(file).place()).isEqualTo(PLACE);
     }
 
-    @Test
+    @WindowTest
     void aWindowThatWasOnAScreenThatIsGoneCanBeSeen() throws InterruptedException {
         Path file = TestScenes.write(folder.resolve("far.properties"),
             "window.x=70000\nwindow.y=-90000\nwindow.width=800000\nwindow.height=600000\n");

@@ -8,11 +8,11 @@ import java.awt.event.KeyEvent;
 import java.nio.file.Path;
 import javax.swing.text.BadLocationException;
 import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import simpleray.ui.OpenWindow;
 import simpleray.ui.Screen;
 import simpleray.ui.TestScenes;
+import simpleray.ui.WindowTest;
 import simpleray.ui.file.SceneSource;
 import simpleray.ui.picture.RenderJob;
 
@@ -30,7 +30,7 @@ class DiagnosticsPaneLinksTest {
         window.close();
     }
 
-    @Test
+    @WindowTest
     void enterGoesToTheSelectedProblem() {
         open(BAD);
         DiagnosticsPane pane = (DiagnosticsPane) window.problems();
@@ -45,7 +45,7 @@ class DiagnosticsPaneLinksTest {
         untilCaretAt("bad");
     }
 
-    @Test
+    @WindowTest
     void aClickOnAPlaceGoesThere() {
         open(BAD);
         DiagnosticsPane pane = (DiagnosticsPane) window.problems();
@@ -61,7 +61,7 @@ class DiagnosticsPaneLinksTest {
         untilCaretAt("oops");
     }
 
-    @Test
+    @WindowTest
     void f4GoesFromProblemToProblem() {
         open(BAD);
         window.screen.press(KeyEvent.VK_F4);
@@ -76,7 +76,7 @@ class DiagnosticsPaneLinksTest {
             "oops: expected object 1's ambient blue, found 'oops'", "bad: expected object 2's specular green, found 'bad'");
     }
 
-    @Test
+    @WindowTest
     void aProblemOfAMeshIsWhereTheSceneNamesIt() {
         Path mesh = TestScenes.write(folder.resolve("a.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n");
         open("1\n4 \"a.obj\" 0 0 0 1  1 0 0  0 0 0  0 0 0  0\n1 1 1\n0\n");

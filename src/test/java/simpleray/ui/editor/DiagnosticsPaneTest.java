@@ -7,12 +7,12 @@ import java.awt.image.BufferedImage;
 import java.nio.file.Path;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import simpleray.render.Stage;
 import simpleray.ui.OpenWindow;
 import simpleray.ui.Screen;
 import simpleray.ui.TestScenes;
+import simpleray.ui.WindowTest;
 import simpleray.ui.file.SceneSource;
 import simpleray.ui.picture.RenderJob;
 
@@ -37,7 +37,7 @@ class DiagnosticsPaneTest {
         window.close();
     }
 
-    @Test
+    @WindowTest
     void f5ShowsTheSceneAsItIsNow() {
         openGoodScene();
         TestScenes.plain(scene, 1, 0.5, 0);
@@ -46,7 +46,7 @@ class DiagnosticsPaneTest {
         window.untilShown("the new picture", TestScenes.rendered(scene, SIDE, SIDE));
     }
 
-    @Test
+    @WindowTest
     void anErrorIsShownWithItsPlaceAndTheLastGoodPictureStays() {
         BufferedImage good = openGoodScene();
         TestScenes.write(scene, BAD);
@@ -58,7 +58,7 @@ class DiagnosticsPaneTest {
         window.untilShown("the good picture", good);
     }
 
-    @Test
+    @WindowTest
     void theErrorGoesOnceTheSceneIsRepaired() {
         openGoodScene();
         TestScenes.write(scene, BAD);
@@ -71,7 +71,7 @@ class DiagnosticsPaneTest {
         Screen.until("the error is gone", () -> window.problems() == null);
     }
 
-    @Test
+    @WindowTest
     void keysWorkWhileTheTextOfAnErrorHasThem() {
         TestScenes.write(scene, BAD);
         window = new OpenWindow(SceneSource.file(scene), SIDE, SIDE);
@@ -84,7 +84,7 @@ class DiagnosticsPaneTest {
         window.untilShown("the stage", TestScenes.rendered(scene, SIDE, SIDE, Stage.LIGHTING));
     }
 
-    @Test
+    @WindowTest
     void theMeshesOfASceneAreProtectedWhileItHasAnError() {
         Path mesh = TestScenes.write(folder.resolve("mesh.png"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
         String good = "1\n4 \"mesh.png\" 0 0 0 1  1 0 0  0 0 0  0 0 0  0\n1 1 1\n0\n";
@@ -99,7 +99,7 @@ class DiagnosticsPaneTest {
         assertThat(OpenWindow.ask(() -> window.job().reads(folder.resolve("other.png")))).isFalse();
     }
 
-    @Test
+    @WindowTest
     void anErrorInTheFirstSceneIsShown() {
         TestScenes.write(scene, BAD);
         window = new OpenWindow(SceneSource.file(scene), SIDE, SIDE);
@@ -110,7 +110,7 @@ class DiagnosticsPaneTest {
         assertThat(window.canDo("Reload")).isTrue();
     }
 
-    @Test
+    @WindowTest
     void aFirstSceneThatIsMissingIsTold() {
         window = new OpenWindow(SceneSource.file(scene), SIDE, SIDE);
 
@@ -118,7 +118,7 @@ class DiagnosticsPaneTest {
         assertThat(window.problems().getText()).isEqualTo(scene + ": no such file");
     }
 
-    @Test
+    @WindowTest
     void aWarningIsShownBesideThePicture() {
         TestScenes.write(scene, ODD);
         window = new OpenWindow(SceneSource.file(scene), SIDE, SIDE);
@@ -127,7 +127,7 @@ class DiagnosticsPaneTest {
         assertThat(window.problems().getText()).startsWith(scene + ":2:1: warning: ");
     }
 
-    @Test
+    @WindowTest
     void anErrorThatIsKnownBeforeTheWindowShrinksIsInSight() {
         TestScenes.write(scene, BAD);
         window = new OpenWindow(SceneSource.file(scene), SIDE, SIDE, frame -> {
@@ -144,7 +144,7 @@ class DiagnosticsPaneTest {
         Screen.until("the problems are in sight", () -> window.problems().getVisibleRect().height > 0);
     }
 
-    @Test
+    @WindowTest
     void aWarningThatIsKnownBeforeAnythingIsLaidOutLeavesRoomForThePicture() {
         TestScenes.write(scene, ODD);
         window = new OpenWindow(SceneSource.file(scene), 2 * SIDE, 2 * SIDE, frame -> {

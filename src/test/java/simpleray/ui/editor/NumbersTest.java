@@ -21,7 +21,6 @@ import javax.swing.JMenuItem;
 import javax.swing.text.BadLocationException;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import simpleray.image.Picture;
 import simpleray.scene.SceneFile;
@@ -29,6 +28,7 @@ import simpleray.ui.Mouse;
 import simpleray.ui.OpenWindow;
 import simpleray.ui.Screen;
 import simpleray.ui.TestScenes;
+import simpleray.ui.WindowTest;
 import simpleray.ui.file.SceneSource;
 import simpleray.ui.picture.RenderJob;
 
@@ -62,7 +62,7 @@ class NumbersTest {
         window.close();
     }
 
-    @Test
+    @WindowTest
     void theStatusLineTellsWhatTheNumberAtTheCaretIs() {
         caret("0.50");
         assertThat(window.label("pixel")).isEqualTo("object 1 of 2, sphere: radius");
@@ -72,13 +72,13 @@ class NumbersTest {
         assertThat(window.label("pixel")).isBlank();
     }
 
-    @Test
+    @WindowTest
     void theToolTipTellsWhatTheNumberUnderTheMouseIs() {
         assertThat(OpenWindow.ask(() -> tip(".75"))).isEqualTo("object 2 of 2, sphere: radius");
         assertThat(OpenWindow.ask(() -> tip("# right"))).isNull();
     }
 
-    @Test
+    @WindowTest
     void namesFollowTheText() {
         OpenWindow.run(() -> area().insert("# another\n", 0));
         caret("0.50");
@@ -87,7 +87,7 @@ class NumbersTest {
         assertThat(OpenWindow.ask(() -> tip("12.75"))).isEqualTo("object 2 of 2, sphere: radius");
     }
 
-    @Test
+    @WindowTest
     void anObjectAndItsNumbersLightUpTogether() {
         caret("0.50");
         assertThat(OpenWindow.ask(() -> area().lit())).startsWith("0", "-1", "0", "0", "0.50", "0.2").hasSize(15);
@@ -102,7 +102,7 @@ class NumbersTest {
         Screen.until("the left one's are, under the mouse in the text", () -> area().lit().contains("0.50"));
     }
 
-    @Test
+    @WindowTest
     void altAndADragChangeANumberInOneStep() throws IOException {
         String larger = TEXT.replace("0.50", "0.90");
         Point from = OpenWindow.ask(() -> over("0.50"));
@@ -116,7 +116,7 @@ class NumbersTest {
         assertThat(scene).hasContent(TEXT);
     }
 
-    @Test
+    @WindowTest
     void altAndTheWheelChangeANumberInOneStep() {
         mouse.move(OpenWindow.ask(() -> over(".75")));
         mouse.holding(KeyEvent.VK_ALT, () -> {
@@ -131,7 +131,7 @@ class NumbersTest {
         assertThat(text()).isEqualTo(TEXT);
     }
 
-    @Test
+    @WindowTest
     void aNumberThatIsOutOfRangeIsToldAndThePictureStays() {
         BufferedImage before = TestScenes.rendered(scene, SIDE, SIDE);
         mouse.move(OpenWindow.ask(() -> over("1\n0 0.3")));
@@ -142,7 +142,7 @@ class NumbersTest {
         window.untilShown("the picture before", before);
     }
 
-    @Test
+    @WindowTest
     void whatIsTypedIsRenderedByItself() {
         caret("0.50");
         window.screen.press(KeyEvent.VK_DELETE);
@@ -153,7 +153,7 @@ class NumbersTest {
         assertThat(scene).hasContent(TEXT);
     }
 
-    @Test
+    @WindowTest
     void problemsAreThoseOfTheTextAsItIs() {
         RenderJob before = window.job();
         OpenWindow.run(() -> area().replaceRange("x", area().getText().indexOf("0.50"), area().getText().indexOf("0.50") + 4));
@@ -166,7 +166,7 @@ class NumbersTest {
         assertThat(OpenWindow.ask(() -> window.document().marked())).isEmpty();
     }
 
-    @Test
+    @WindowTest
     void withoutRenderingProblemsAreTold() {
         OpenWindow.run(window.item("Render While Typing")::doClick);
         RenderJob before = window.job();
@@ -180,7 +180,7 @@ class NumbersTest {
         Screen.until("it is rendered", () -> window.picture().job() != before);
     }
 
-    @Test
+    @WindowTest
     void coloursHaveASwatchAndAPicker() throws BadLocationException {
         Point bar = OpenWindow.ask(() -> {
             Point place = over("0.4 0.6");
@@ -203,7 +203,7 @@ class NumbersTest {
         assertThat(text()).isEqualTo(TEXT);
     }
 
-    @Test
+    @WindowTest
     void aPickedColourIsGivenUp() {
         caret("0.4 0.6");
         window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_P);
@@ -215,7 +215,7 @@ class NumbersTest {
         Screen.until("the text is as before", () -> text().equals(TEXT));
     }
 
-    @Test
+    @WindowTest
     void insertingRaisesTheCount() throws IOException {
         for (String name : List.of("Sphere", "Plane", "Triangle", "Cylinder", "Cone", "Point Light", "Directional Light", "Area Light")) {
             OpenWindow.run(() -> insert(name));

@@ -11,11 +11,11 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import simpleray.ui.OpenWindow;
 import simpleray.ui.Screen;
 import simpleray.ui.TestScenes;
+import simpleray.ui.WindowTest;
 import simpleray.ui.file.SceneSource;
 import simpleray.ui.picture.RenderJob;
 
@@ -46,7 +46,7 @@ class SaveViewInTextTest {
         window.close();
     }
 
-    @Test
+    @WindowTest
     void aTextAsTheFileHasItIsSavedWithTheView() throws IOException {
         save();
 
@@ -58,7 +58,7 @@ class SaveViewInTextTest {
         assertThat(OpenWindow.ask(() -> window.banner().message("conflict"))).isNull();
     }
 
-    @Test
+    @WindowTest
     void whatWasTypedStaysUnsavedAndHasTheView() throws IOException {
         String typed = SCENE.replace("0.6", "0.9");
         OpenWindow.run(() -> window.document().editor().area().setText(typed));

@@ -27,12 +27,12 @@ import javax.swing.text.JTextComponent;
 import org.fife.ui.rtextarea.RTextScrollPane;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import simpleray.render.Stage;
 import simpleray.ui.OpenWindow;
 import simpleray.ui.Screen;
 import simpleray.ui.TestScenes;
+import simpleray.ui.WindowTest;
 import simpleray.ui.file.SceneSource;
 import simpleray.ui.picture.RenderJob;
 
@@ -61,7 +61,7 @@ class SceneEditorTest {
         window.close();
     }
 
-    @Test
+    @WindowTest
     void controlEShowsTheTextAndHidesIt() {
         assertThat(text()).isEqualTo(TEXT.replace("\r", ""));
         assertThat(OpenWindow.ask(window.item("Scene Text")::isSelected)).isTrue();
@@ -72,7 +72,7 @@ class SceneEditorTest {
         assertThat(OpenWindow.ask(window.item("Scene Text")::isSelected)).isFalse();
     }
 
-    @Test
+    @WindowTest
     void afterALongLineTheTextIsBackAtItsMargin() {
         OpenWindow.run(() -> area().setText("# " + "long ".repeat(200) + "\n" + TEXT.replace("\r", "")));
         window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_HOME);
@@ -83,7 +83,7 @@ class SceneEditorTest {
         Screen.until("the margin is seen", () -> area().getVisibleRect().x == 0);
     }
 
-    @Test
+    @WindowTest
     void keysThatTypeAreNoShortcuts() {
         RenderJob before = window.job();
         window.screen.type("123 adsf ");
@@ -97,7 +97,7 @@ class SceneEditorTest {
         assertThat(OpenWindow.ask(() -> window.picture().request().stage())).isEqualTo(Stage.LIGHTING);
     }
 
-    @Test
+    @WindowTest
     void controlEnterRendersTheTextWithoutSavingIt() throws IOException {
         replace("0.2 0.4 0.6", "0.9 0.1 0.1");
         window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_ENTER);
@@ -111,7 +111,7 @@ class SceneEditorTest {
         window.untilShown("the text's picture again", TestScenes.rendered(other, SIDE, SIDE));
     }
 
-    @Test
+    @WindowTest
     void meshesOfATextThatIsNotSavedLieBesideTheScene() {
         TestScenes.write(folder.resolve("a.obj"), "v -9 -9 0\nv 9 -9 0\nv 0 9 0\nf 1 2 3\n");
         String mesh = "1\n4 \"a.obj\" 0 0 0 1  1 0 0  0 0 0  0 0 0  0\n1 1 1\n0\n";
@@ -121,7 +121,7 @@ class SceneEditorTest {
         window.untilShown("the mesh", TestScenes.rendered(TestScenes.write(folder.resolve("b.scene"), mesh), SIDE, SIDE));
     }
 
-    @Test
+    @WindowTest
     void saveWritesTheFileAsItWasButForTheEdit() throws IOException {
         replace("0.6", "0.7");
         assertThat(title()).isEqualTo("*room.scene - SimpleRay");
@@ -133,7 +133,7 @@ class SceneEditorTest {
         assertThat(folder.toFile().list()).containsExactly("room.scene");
     }
 
-    @Test
+    @WindowTest
     void savingWhatIsRenderedDoesNotRenderItAgain() {
         replace("0.6", "0.7");
         window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_ENTER);
@@ -145,7 +145,7 @@ class SceneEditorTest {
         assertThat(window.job()).isSameAs(rendered);
     }
 
-    @Test
+    @WindowTest
     void whatCannotBeSavedIsToldAndStays() throws IOException {
         Files.write(scene, "# \u00FC\n1\n1  0 0 1 -1  0.2 0.4 0.6  0 0 0  0 0 0  0\n1 1 1\n0\n".getBytes(StandardCharsets.ISO_8859_1));
         Screen.until("the text is read again", () -> text().startsWith("# \u00FC\n"));
@@ -161,7 +161,7 @@ class SceneEditorTest {
         assertThat(text()).startsWith("# \u20AC\n");
     }
 
-    @Test
+    @WindowTest
     void undoAndRedoGoBackToWhatIsSaved() {
         window.screen.type("7");
         Screen.until("it is changed", () -> title().startsWith("*"));
@@ -171,7 +171,7 @@ class SceneEditorTest {
         assertThat(text()).startsWith("71\n");
     }
 
-    @Test
+    @WindowTest
     void errorsAreMarkedInTheText() {
         replace("0.4", "oops");
         window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_ENTER);
@@ -188,7 +188,7 @@ class SceneEditorTest {
         Screen.until("no error is marked", () -> window.document().marked().isEmpty());
     }
 
-    @Test
+    @WindowTest
     void findingGoesFromOneToTheNextAndRoundTheEnd() {
         window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_F);
         JTextField field = OpenWindow.appears("the field", JTextField.class, f -> "find".equals(f.getName()));
@@ -211,7 +211,7 @@ class SceneEditorTest {
         assertThat(window.job()).isSameAs(before);
     }
 
-    @Test
+    @WindowTest
     void theTextHasTheLooksColours() {
         OpenWindow.run(() -> {
             FlatDarkLaf.setup();
@@ -227,7 +227,7 @@ class SceneEditorTest {
         }
     }
 
-    @Test
+    @WindowTest
     void allPartsHaveNames() {
         window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_F);
         List<Component> used = OpenWindow.ask(() -> OpenWindow.all(window.frame).filter(c -> c instanceof JTextComponent

@@ -13,12 +13,12 @@ import javax.swing.JButton;
 import javax.swing.JToolBar;
 import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import simpleray.ui.FileDialog;
 import simpleray.ui.OpenWindow;
 import simpleray.ui.Screen;
 import simpleray.ui.TestScenes;
+import simpleray.ui.WindowTest;
 import simpleray.ui.file.SceneSource;
 import simpleray.ui.picture.RenderJob;
 
@@ -40,7 +40,7 @@ class UnsavedTest {
         window.close();
     }
 
-    @Test
+    @WindowTest
     void closingIsCancelled() {
         openChanged();
         quit();
@@ -50,7 +50,7 @@ class UnsavedTest {
         assertThat(text()).isEqualTo(MINE);
     }
 
-    @Test
+    @WindowTest
     void closingWithoutSavingLeavesTheFile() throws IOException {
         openChanged();
         quit();
@@ -60,7 +60,7 @@ class UnsavedTest {
         assertThat(Files.readString(scene)).isEqualTo(TEXT);
     }
 
-    @Test
+    @WindowTest
     void closingSavesFirst() throws IOException {
         openChanged();
         quit();
@@ -70,7 +70,7 @@ class UnsavedTest {
         assertThat(Files.readString(scene)).isEqualTo(MINE);
     }
 
-    @Test
+    @WindowTest
     void anotherSceneIsOpenedOnceTheFirstIsSaved() throws IOException {
         openChanged();
         Path other = TestScenes.plain(folder.resolve("other.scene"), 1, 0, 0);
@@ -84,7 +84,7 @@ class UnsavedTest {
         assertThat(OpenWindow.ask(window.frame::getTitle)).isEqualTo("other.scene - SimpleRay");
     }
 
-    @Test
+    @WindowTest
     void whatAnotherProgramWroteIsTakenOnRequestAndUndoBringsBackMine() {
         openChanged();
         writeAsAnother(THEIRS);
@@ -99,7 +99,7 @@ class UnsavedTest {
         assertThat(text()).isEqualTo(MINE);
     }
 
-    @Test
+    @WindowTest
     void mineIsKeptOnRequestAndThenSavedOverTheirs() throws IOException {
         openChanged();
         writeAsAnother(THEIRS);
@@ -113,7 +113,7 @@ class UnsavedTest {
         assertThat(Files.readString(scene)).isEqualTo(MINE);
     }
 
-    @Test
+    @WindowTest
     void savingNeverOverwritesWhatWasNotSeen() throws IOException {
         openChanged();
         writeAsAnother(THEIRS);
@@ -124,7 +124,7 @@ class UnsavedTest {
         assertThat(text()).isEqualTo(MINE);
     }
 
-    @Test
+    @WindowTest
     void aTextWithoutChangesFollowsTheFileAndKeepsItsCaret() {
         open(SceneSource.file(write(TEXT)));
         OpenWindow.run(() -> window.document().editor().area().setCaretPosition(TEXT.indexOf("1 1 1")));
@@ -136,7 +136,7 @@ class UnsavedTest {
         assertThat(banner()).isNull();
     }
 
-    @Test
+    @WindowTest
     void aDeletedSceneIsThereAgainOnceItIsSaved() throws IOException {
         open(SceneSource.file(write(TEXT)));
         Files.delete(scene);
@@ -147,7 +147,7 @@ class UnsavedTest {
         assertThat(Files.readString(scene)).isEqualTo(TEXT);
     }
 
-    @Test
+    @WindowTest
     void aTextFromStandardInputIsSavedWhereTheUserSays() throws IOException {
         open(SceneSource.text(TEXT.getBytes(StandardCharsets.UTF_8)));
         OpenWindow.run(() -> window.document().editor().area().setText(MINE));
@@ -162,7 +162,7 @@ class UnsavedTest {
         assertThat(Files.readString(saved)).isEqualTo(MINE);
     }
 
-    @Test
+    @WindowTest
     void aTextFromStandardInputReplacesAFileIfTheUserSaysSo() throws IOException {
         saveOverTheirs("OK");
 
@@ -170,7 +170,7 @@ class UnsavedTest {
         assertThat(Files.readString(scene)).isEqualTo(MINE);
     }
 
-    @Test
+    @WindowTest
     void aTextFromStandardInputReplacesNoFileIfTheUserRatherWouldNot() throws IOException {
         saveOverTheirs("Cancel");
 
@@ -199,7 +199,7 @@ class UnsavedTest {
         answer(answer);
     }
 
-    @Test
+    @WindowTest
     void aTextThatIsTooLargeIsNotShown() throws IOException {
         write(TEXT);
         Files.writeString(scene, TEXT + ("# " + "x".repeat(1021) + '\n').repeat(9 << 10));

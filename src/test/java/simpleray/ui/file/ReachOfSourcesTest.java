@@ -9,7 +9,6 @@ import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.BeforeEach;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import simpleray.render.RenderRequest;
 import simpleray.render.Stage;
@@ -19,6 +18,7 @@ import simpleray.scene.SceneSettings;
 import simpleray.scene.ViewLines;
 import simpleray.text.SceneFormatException;
 import simpleray.ui.OpenWindow;
+import simpleray.ui.WindowTest;
 import simpleray.ui.picture.CommandWords;
 import simpleray.ui.picture.RenderJob;
 
@@ -39,7 +39,7 @@ class ReachOfSourcesTest {
         scene = Files.write(Files.createDirectory(all.resolve("mine")).resolve("a.scene"), text);
     }
 
-    @Test
+    @WindowTest
     void aSceneThatIsOpenedInTheWindowStaysInItsFolder() {
         SceneSource source = SceneSource.file(scene);
 
@@ -47,7 +47,7 @@ class ReachOfSourcesTest {
         assertThatThrownBy(source.edited(text)::read).isInstanceOf(SceneFormatException.class).hasMessageStartingWith(scene + REFUSED);
     }
 
-    @Test
+    @WindowTest
     void whatIsAllowedForASceneIsAllowedForItsUnsavedText() throws IOException {
         SceneSource source = SceneSource.file(scene, Reach.ANYWHERE);
 
@@ -56,7 +56,7 @@ class ReachOfSourcesTest {
         assertThat(source.edited(text).edited(text).reach()).isEqualTo(Reach.ANYWHERE);
     }
 
-    @Test
+    @WindowTest
     void itIsAllowedForStandardInputToo() throws IOException {
         byte[] named = new String(text, StandardCharsets.UTF_8).replace("../out.obj", all.resolve("out.obj").toString())
             .getBytes(StandardCharsets.UTF_8);
@@ -66,7 +66,7 @@ class ReachOfSourcesTest {
         assertThat(SceneSource.text(named, Reach.ANYWHERE).edited(named).read().scene().getNumberObjects()).isEqualTo(1);
     }
 
-    @Test
+    @WindowTest
     void theViewOfSuchASceneCanBeSaved() throws IOException {
         FileSource source = new FileSource(scene, Reach.ANYWHERE);
         source.read();
@@ -78,7 +78,7 @@ class ReachOfSourcesTest {
         assertThat(source.read().scene().settings.camera).isEqualTo(view.camera);
     }
 
-    @Test
+    @WindowTest
     void theViewOfASceneThatMayNotNameItIsNotSaved() throws IOException {
         FileSource source = new FileSource(scene, Reach.FOLDER);
         assertThatThrownBy(source::read).isInstanceOf(SceneFormatException.class);
@@ -89,7 +89,7 @@ class ReachOfSourcesTest {
         assertThat(scene).hasBinaryContent(text);
     }
 
-    @Test
+    @WindowTest
     void theCopiedCommandLineAllowsWhatTheWindowWasAllowed() {
         RenderRequest request = new RenderRequest(new SceneSettings(), Stage.FINAL, false, 1);
 
@@ -97,7 +97,7 @@ class ReachOfSourcesTest {
         assertThat(CommandWords.line(scene, Reach.FOLDER, "a.png", 0, request)).endsWith(" -o a.png");
     }
 
-    @Test
+    @WindowTest
     void theWindowShowsTheMeshWhereverItLiesAndOpensNoOtherSceneSo() throws Exception {
         Path other = Files.write(scene.resolveSibling("b.scene"), text);
         try (OpenWindow window = new OpenWindow(SceneSource.file(scene, Reach.ANYWHERE), 60, 60)) {

@@ -11,10 +11,10 @@ import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import simpleray.ui.OpenWindow;
 import simpleray.ui.Screen;
+import simpleray.ui.WindowTest;
 import simpleray.ui.file.SceneWatcher.News;
 
 /** Files that change on the disk. */
@@ -38,14 +38,14 @@ class SceneWatcherTest {
         Screen.until("its thread ends", () -> OpenWindow.threads().isEmpty());
     }
 
-    @Test
+    @WindowTest
     void aFileThatIsWrittenInPlaceIsTold() throws IOException {
         watch();
         Files.writeString(scene, "2");
         untilTold(News.CHANGED);
     }
 
-    @Test
+    @WindowTest
     void aFileThatTakesItsPlaceIsToldThoughSizeAndTimeAreTheSame() throws IOException {
         FileTime time = Files.getLastModifiedTime(scene);
         watch();
@@ -55,7 +55,7 @@ class SceneWatcherTest {
         untilTold(News.CHANGED);
     }
 
-    @Test
+    @WindowTest
     void aFileThatIsDeletedAndBackIsTold() throws IOException {
         watch();
         Files.delete(scene);
@@ -64,14 +64,14 @@ class SceneWatcherTest {
         untilTold(News.DELETED, News.CHANGED);
     }
 
-    @Test
+    @WindowTest
     void aMeshIsTold() throws IOException {
         watch();
         Files.writeString(folder.resolve("#1.obj"), "v 0 0 0");
         untilTold(News.CHANGED);
     }
 
-    @Test
+    @WindowTest
     void aMeshThatTheSceneNamesLaterIsTold() throws IOException {
         watch();
         Files.writeString(scene, "1\n4 \"later.obj\"");
@@ -82,7 +82,7 @@ class SceneWatcherTest {
         untilTold(News.CHANGED, News.CHANGED);
     }
 
-    @Test
+    @WindowTest
     void anMtlFileIsToldIfTheSceneHasMaterialsOfIt() throws IOException {
         Files.writeString(folder.resolve("#1.obj"), "v 0 0 0\nmtllib my house.mtl a.mtl # materials\n");
         Files.writeString(folder.resolve("a.mtl"), "newmtl a");
@@ -101,7 +101,7 @@ class SceneWatcherTest {
         untilTold(News.CHANGED, News.CHANGED, News.CHANGED, News.CHANGED, News.CHANGED);
     }
 
-    @Test
+    @WindowTest
     void aLinkIsFollowed() throws IOException {
         Path real = Files.writeString(Files.createDirectory(folder.resolve("real")).resolve("a.scene"), "1");
         Files.delete(scene);
@@ -111,7 +111,7 @@ class SceneWatcherTest {
         untilTold(News.CHANGED);
     }
 
-    @Test
+    @WindowTest
     void aFolderThatIsMovedAwayAndBackIsADeletedScene() throws IOException {
         scene = Files.writeString(Files.createDirectory(folder.resolve("a")).resolve("b.scene"), "1");
         watch();
@@ -121,7 +121,7 @@ class SceneWatcherTest {
         untilTold(News.DELETED, News.CHANGED);
     }
 
-    @Test
+    @WindowTest
     void whatTheProgramWroteItselfIsNoNews() throws IOException {
         watcher = new SceneWatcher(scene, news::add);
         Files.writeString(scene, "its own");
@@ -131,7 +131,7 @@ class SceneWatcherTest {
         untilTold(News.DELETED);
     }
 
-    @Test
+    @WindowTest
     void aSceneThatIsNotThereYetIsToldWhenItIs() throws IOException {
         Files.delete(scene);
         watch();

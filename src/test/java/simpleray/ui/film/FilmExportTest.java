@@ -10,7 +10,6 @@ import javax.swing.JButton;
 import javax.swing.JOptionPane;
 import javax.swing.JProgressBar;
 import javax.swing.SwingUtilities;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import simpleray.film.FilmOutput;
 import simpleray.film.FilmRenderer;
@@ -21,6 +20,7 @@ import simpleray.ui.FileDialog;
 import simpleray.ui.OpenWindow;
 import simpleray.ui.Screen;
 import simpleray.ui.TestScenes;
+import simpleray.ui.WindowTest;
 import simpleray.ui.file.SceneSource;
 import simpleray.ui.picture.RenderJob;
 
@@ -63,7 +63,7 @@ class FilmExportTest {
         return Files.readAllBytes(out);
     }
 
-    @Test
+    @WindowTest
     void theFilmIsThatOfAnimate() throws IOException {
         try (OpenWindow window = film(5)) {
             Path out = folder.resolve("film.gif");
@@ -79,7 +79,7 @@ class FilmExportTest {
         assertThat(OpenWindow.threads()).isEmpty();
     }
 
-    @Test
+    @WindowTest
     void oneThatIsCancelledKeepsItsFramesAndGoesOnWithThem() throws IOException {
         try (OpenWindow window = film(4000)) {
             Path out = folder.resolve("film.gif");
@@ -101,7 +101,7 @@ class FilmExportTest {
         assertThat(OpenWindow.threads()).isEmpty();
     }
 
-    @Test
+    @WindowTest
     void aNameUnderWhichNoFilmCanBeWrittenIsRefused() {
         try (OpenWindow window = film(5)) {
             export(window).enter(folder.resolve("film.avi"));
@@ -114,7 +114,7 @@ class FilmExportTest {
         assertThat(folder.resolve("film.avi")).doesNotExist();
     }
 
-    @Test
+    @WindowTest
     void noFrameIsWrittenOverAMeshOfTheScene() throws IOException {
         Path mesh = TestScenes.write(folder.resolve("m1.png"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
         String written = Files.readString(mesh);
@@ -131,7 +131,7 @@ class FilmExportTest {
         assertThat(mesh).content().isEqualTo(written);
     }
 
-    @Test
+    @WindowTest
     void aSceneThatIsNoFilmIsNotExported() {
         try (OpenWindow window = new OpenWindow(SceneSource.file(TestScenes.THESIS), 60, 40)) {
             window.untilState(RenderJob.State.FINISHED);

@@ -10,7 +10,6 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.Test;
 import simpleray.render.RenderListener;
 import simpleray.render.RenderRequest;
 import simpleray.scene.Scene;
@@ -19,6 +18,7 @@ import simpleray.scene.SceneSettings.Resolution;
 import simpleray.ui.OpenWindow;
 import simpleray.ui.Screen;
 import simpleray.ui.TestScenes;
+import simpleray.ui.WindowTest;
 
 class FilmPlayerTest {
     private static final RenderRequest REQUEST = OpenWindow.request(40, 30);
@@ -36,7 +36,7 @@ class FilmPlayerTest {
         return new FilmPlayer(worker, scene, REQUEST, new Resolution(40, 30), failures::add);
     }
 
-    @Test
+    @WindowTest
     void eachFrameBecomesThePictureThatRenderMakesOfIt() throws Exception {
         Scene scene = SceneFile.parse("1\n0 0 0 -2 1  1 1 1  1 1 1  0 0 0  0\n0.3 0.3 0.3\n1\n0 1 1 1  0 0 9\n"
             + "frames 4 30\nkey 0 object 1 -1 0 0\nkey 3 object 1 1 0 0\n").scene();
@@ -54,7 +54,7 @@ class FilmPlayerTest {
         assertThat(failures).isEmpty();
     }
 
-    @Test
+    @WindowTest
     void aFailureIsTold() throws Exception {
         Scene scene = SceneFile.parse("0\n1 1 1\n0\nframes 4 30\n").scene();
         FilmPlayer player = player(scene);

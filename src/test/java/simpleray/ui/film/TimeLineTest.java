@@ -16,13 +16,13 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JSlider;
 import javax.swing.text.JTextComponent;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import simpleray.render.RenderListener;
 import simpleray.scene.SceneFile;
 import simpleray.ui.OpenWindow;
 import simpleray.ui.Screen;
 import simpleray.ui.TestScenes;
+import simpleray.ui.WindowTest;
 import simpleray.ui.file.FileSource;
 import simpleray.ui.file.SceneSource;
 import simpleray.ui.picture.RenderJob;
@@ -64,7 +64,7 @@ class TimeLineTest {
         return OpenWindow.ask(() -> OpenWindow.seen(JPanel.class, panel -> "time line".equals(panel.getName())) != null);
     }
 
-    @Test
+    @WindowTest
     void aSceneWithFramesHasATimeLineWithItsKeysAsMarks() {
         try (OpenWindow window = finished(film(""))) {
             JSlider slider = slider();
@@ -82,7 +82,7 @@ class TimeLineTest {
         }
     }
 
-    @Test
+    @WindowTest
     void theFrameOfTheSliderIsAPictureAsAnyOther() throws Exception {
         Path film = film("");
         try (OpenWindow window = finished(film)) {
@@ -107,7 +107,7 @@ class TimeLineTest {
         }
     }
 
-    @Test
+    @WindowTest
     void aFilmPlaysAgainAndAgainUntilItIsPaused() throws Exception {
         Path film = film("");
         try (OpenWindow window = finished(film)) {
@@ -129,7 +129,7 @@ class TimeLineTest {
         assertThat(OpenWindow.threads()).isEmpty();
     }
 
-    @Test
+    @WindowTest
     void withoutTheLoopItEndsAtTheLastFrame() throws Exception {
         Path film = film("");
         try (OpenWindow window = finished(film)) {
@@ -142,7 +142,7 @@ class TimeLineTest {
         }
     }
 
-    @Test
+    @WindowTest
     void aClickOnThePicturePausesIt() throws Exception {
         try (OpenWindow window = finished(film(""))) {
             window.screen.press(KeyEvent.VK_P);
@@ -154,7 +154,7 @@ class TimeLineTest {
         }
     }
 
-    @Test
+    @WindowTest
     void anotherStageEndsThePlayAtItsFrame() throws Exception {
         Path film = film("");
         try (OpenWindow window = finished(film)) {
@@ -167,7 +167,7 @@ class TimeLineTest {
         }
     }
 
-    @Test
+    @WindowTest
     void aShorterFilmFromTheDiskStandsAtItsLastFrame() throws Exception {
         Path film = film("");
         try (OpenWindow window = finished(film)) {
@@ -178,7 +178,7 @@ class TimeLineTest {
         }
     }
 
-    @Test
+    @WindowTest
     void setCameraKeyWritesTheViewIntoTheFileAsAKeyOfTheFrame() throws Exception {
         Path film = film("camera 0 0 3  0 0 0  50\nkey 9 camera 0 0 3  0 0 0  50\n");
         try (OpenWindow window = finished(film)) {
@@ -198,7 +198,7 @@ class TimeLineTest {
         }
     }
 
-    @Test
+    @WindowTest
     void whileTheTextIsOpenTheKeyIsWrittenThereWithWhatWasTyped() throws Exception {
         Path film = film("camera 0 0 3  0 0 0  50\nkey 9 camera 0 0 3  0 0 0  50\n");
         String typed = Files.readString(film) + "# typed\n";
@@ -230,7 +230,7 @@ class TimeLineTest {
         return OpenWindow.seen(JButton.class, button -> text.equals(button.getText()));
     }
 
-    @Test
+    @WindowTest
     void aSceneThatIsNoFilmHasNoKeys() {
         try (OpenWindow window = finished(TestScenes.THESIS)) {
             window.screen.press(KeyEvent.VK_K);

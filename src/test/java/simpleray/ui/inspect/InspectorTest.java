@@ -20,7 +20,6 @@ import java.util.function.IntPredicate;
 import java.util.stream.Collectors;
 import javax.swing.JButton;
 import javax.swing.JTree;
-import org.junit.jupiter.api.Test;
 import simpleray.image.Picture;
 import simpleray.math.Colour;
 import simpleray.rays.StoryText;
@@ -36,6 +35,7 @@ import simpleray.scene.SimpleCamera;
 import simpleray.ui.OpenWindow;
 import simpleray.ui.Screen;
 import simpleray.ui.TestScenes;
+import simpleray.ui.WindowTest;
 import simpleray.ui.file.SceneSource;
 import simpleray.ui.picture.RenderJob;
 
@@ -52,7 +52,7 @@ class InspectorTest {
         robot = new Robot();
     }
 
-    @Test
+    @WindowTest
     void aPixelOfARowThatIsNotWholeIsToldAsItIsSeen() {
         assertThat(PixelLine.painted(-1, 0)).isEqualTo("not rendered yet");
         assertThat(PixelLine.painted(0, 0xFFE04040)).isEqualTo("failed");
@@ -62,7 +62,7 @@ class InspectorTest {
         assertThat(PixelLine.painted(4, 0xFF010203)).isEqualTo("8-bit 1 2 3 of a block of 4 × 4, not rendered itself yet");
     }
 
-    @Test
+    @WindowTest
     void aClickDuringTheVeryFirstRenderingIsAnsweredAndABlockIsToldAsThat() throws Exception {
         Explainer explainer = explainer(Stage.FINAL);
         CountDownLatch open = new CountDownLatch(1);
@@ -87,7 +87,7 @@ class InspectorTest {
         }
     }
 
-    @Test
+    @WindowTest
     void aClickWhileTheSceneIsReadIsAnsweredOnceItIs() throws Exception {
         CountDownLatch open = new CountDownLatch(1);
         try (OpenWindow window = new OpenWindow(TestScenes.read(() -> await(open)), WIDTH, HEIGHT)) {
@@ -102,7 +102,7 @@ class InspectorTest {
         }
     }
 
-    @Test
+    @WindowTest
     void aPictureThatStaysWhenItsSceneCannotBeReadAnyMoreStillTellsItsStories() throws Exception {
         AtomicBoolean broken = new AtomicBoolean();
         SceneSource source = TestScenes.read(() -> {
@@ -140,7 +140,7 @@ class InspectorTest {
         }
     }
 
-    @Test
+    @WindowTest
     void alphaIsToldOfAPictureThatHasIt() {
         Picture picture = new Picture(2, 1, Picture.RGBA);
         picture.setRow(0, new double[] {1, 0.5, 0, 0.75, 0, 0, 0, 0});
@@ -150,7 +150,7 @@ class InspectorTest {
         assertThat(PixelLine.colours(picture, new Point(2, 0), null)).isNull();
     }
 
-    @Test
+    @WindowTest
     void theStatusBarTellsOfThePixelUnderTheMouse() throws Exception {
         Explainer explainer = explainer(Stage.FINAL);
         try (OpenWindow window = finished()) {
@@ -165,7 +165,7 @@ class InspectorTest {
         }
     }
 
-    @Test
+    @WindowTest
     void aSphereOfTheThesisIsNamedWithItsLine() throws Exception {
         try (OpenWindow window = finished()) {
             parkMouse(window);
@@ -175,7 +175,7 @@ class InspectorTest {
         }
     }
 
-    @Test
+    @WindowTest
     void aClickOpensThePixelsStoryAndAnotherOneThatOfItsPixel() throws Exception {
         Explainer explainer = explainer(Stage.FINAL);
         try (OpenWindow window = finished()) {
@@ -190,7 +190,7 @@ class InspectorTest {
         }
     }
 
-    @Test
+    @WindowTest
     void aQuestionBetweenTwoRenderingsIsAnsweredForThePictureThatIsSeen() throws Exception {
         AtomicBoolean held = new AtomicBoolean();
         CountDownLatch open = new CountDownLatch(1);
@@ -221,7 +221,7 @@ class InspectorTest {
         }
     }
 
-    @Test
+    @WindowTest
     void keysOpenMoveCopyAndCloseTheStory() throws Exception {
         Explainer explainer = explainer(Stage.FINAL);
         try (OpenWindow window = finished()) {
@@ -251,7 +251,7 @@ class InspectorTest {
         }
     }
 
-    @Test
+    @WindowTest
     void thePixelCursorStaysInThePictureAndFramesItsPixel() throws Exception {
         try (OpenWindow window = finished()) {
             click(window, new Point(0, 0));
@@ -270,7 +270,7 @@ class InspectorTest {
         }
     }
 
-    @Test
+    @WindowTest
     void theButtonClosesTheStory() throws Exception {
         try (OpenWindow window = finished()) {
             parkMouse(window);
@@ -287,7 +287,7 @@ class InspectorTest {
         }
     }
 
-    @Test
+    @WindowTest
     void theStoryFollowsTheStage() throws Exception {
         try (OpenWindow window = finished()) {
             parkMouse(window);
@@ -300,7 +300,7 @@ class InspectorTest {
         }
     }
 
-    @Test
+    @WindowTest
     void theEventThreadIsFreeWhileAStoryIsToldAndTheWindowCanBeClosed() {
         AtomicBoolean held = new AtomicBoolean();
         CountDownLatch asked = new CountDownLatch(1);

@@ -14,7 +14,6 @@ import java.util.List;
 import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JTree;
-import org.junit.jupiter.api.Test;
 import simpleray.rays.RaySegment;
 import simpleray.rays.RaySegment.Kind;
 import simpleray.render.Explainer;
@@ -27,6 +26,7 @@ import simpleray.scene.SimpleCamera;
 import simpleray.ui.OpenWindow;
 import simpleray.ui.Screen;
 import simpleray.ui.TestScenes;
+import simpleray.ui.WindowTest;
 import simpleray.ui.file.SceneSource;
 import simpleray.ui.picture.RenderJob;
 
@@ -41,7 +41,7 @@ class RaysPaneTest {
         robot = new Robot();
     }
 
-    @Test
+    @WindowTest
     void theRaysOfTheStorysPixelAreShownBesideThePictureAndGoAway() throws Exception {
         try (OpenWindow window = finished()) {
             click(window, new Point(45, 36));
@@ -61,7 +61,7 @@ class RaysPaneTest {
         assertThat(OpenWindow.threads()).isEmpty();
     }
 
-    @Test
+    @WindowTest
     void anIdleWindowPreparesItsFirstRaysAndShowsNoneOfThem() throws Exception {
         try (OpenWindow window = finished()) {
             Screen.until("they are prepared", () -> OpenWindow.threads().contains("simpleray-rays"));
@@ -73,7 +73,7 @@ class RaysPaneTest {
         assertThat(OpenWindow.threads()).isEmpty();
     }
 
-    @Test
+    @WindowTest
     void nextAndBackWalkTheRecursionAndTheStoryFollows() throws Exception {
         try (OpenWindow window = finished()) {
             Point pixel = mirrored();
@@ -95,7 +95,7 @@ class RaysPaneTest {
         }
     }
 
-    @Test
+    @WindowTest
     void aLineOfTheStoryChoosesItsRay() throws Exception {
         try (OpenWindow window = finished()) {
             Point pixel = mirrored();
@@ -113,7 +113,7 @@ class RaysPaneTest {
         }
     }
 
-    @Test
+    @WindowTest
     void aClickOnARayChoosesItAndItsLine() throws Exception {
         try (OpenWindow window = finished()) {
             Point pixel = mirrored();
@@ -128,7 +128,7 @@ class RaysPaneTest {
         }
     }
 
-    @Test
+    @WindowTest
     void theMouseGoesRoundTheRaysAndHomeBringsThemBack() throws Exception {
         try (OpenWindow window = finished()) {
             click(window, new Point(45, 36));
@@ -151,7 +151,7 @@ class RaysPaneTest {
         }
     }
 
-    @Test
+    @WindowTest
     void aPixelThatIsDraggedTakesItsRaysAndItsStoryAlong() throws Exception {
         try (OpenWindow window = finished()) {
             click(window, new Point(45, 36));
@@ -170,7 +170,7 @@ class RaysPaneTest {
         }
     }
 
-    @Test
+    @WindowTest
     void normalsAndHalfwayVectorsAreShownOnRequest() throws Exception {
         try (OpenWindow window = finished()) {
             click(window, new Point(45, 36));

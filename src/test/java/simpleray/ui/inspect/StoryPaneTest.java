@@ -21,7 +21,6 @@ import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
 import javax.swing.tree.DefaultMutableTreeNode;
 import javax.swing.tree.TreeNode;
-import org.junit.jupiter.api.Test;
 import simpleray.rays.StoryText;
 import simpleray.render.PixelStory;
 import simpleray.render.RenderSettings;
@@ -33,10 +32,11 @@ import simpleray.scene.SimpleCamera;
 import simpleray.ui.OpenWindow;
 import simpleray.ui.Screen;
 import simpleray.ui.TestScenes;
+import simpleray.ui.WindowTest;
 
 /** A story's lines as a tree. */
 class StoryPaneTest {
-    @Test
+    @WindowTest
     void theTreeHasEveryLineBelowTheOneItBelongsTo() throws IOException {
         List<StoryText.Line> lines = mirrors();
 
@@ -49,7 +49,7 @@ class StoryPaneTest {
         assertThat(new ArrayList<>(lines)).extracting(StoryText.Line::level).contains(0, 1, 2, 3, 4, 5, 6);
     }
 
-    @Test
+    @WindowTest
     void ofSeveralSamplesTheMiddleOneIsOpenWithWhatTheRayFromTheEyeHits() throws IOException {
         DefaultMutableTreeNode root = StoryPane.tree(mirrors());
         OpenWindow.run(() -> {
@@ -69,7 +69,7 @@ class StoryPaneTest {
         });
     }
 
-    @Test
+    @WindowTest
     void rowsAreWrappedAtAnyWidthAndNoButtonIsCut() throws IOException {
         DefaultMutableTreeNode root = StoryPane.tree(mirrors());
         StoryPane pane = OpenWindow.ask(() -> new StoryPane(() -> { }, () -> { }, (ray, lamp) -> { }, line -> { }));
@@ -109,7 +109,7 @@ class StoryPaneTest {
         }
     }
 
-    @Test
+    @WindowTest
     void symbolsAndNumbersHaveTipsAndLinesAreLinks() throws IOException {
         DefaultMutableTreeNode root = StoryPane.tree(mirrors());
         List<Integer> shown = new ArrayList<>();

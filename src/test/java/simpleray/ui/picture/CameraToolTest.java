@@ -14,7 +14,6 @@ import javax.swing.JTree;
 import org.assertj.core.data.Offset;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -24,6 +23,7 @@ import simpleray.ui.Mouse;
 import simpleray.ui.OpenWindow;
 import simpleray.ui.Screen;
 import simpleray.ui.TestScenes;
+import simpleray.ui.WindowTest;
 import simpleray.ui.file.SceneSource;
 
 /** The camera, moved by mouse and keys. The wall it looks at is 3 units away, half of what it shows there is 3 high, in 60 pixels. */
@@ -55,7 +55,7 @@ class CameraToolTest {
         window.close();
     }
 
-    @Test
+    @WindowTest
     void draggingOrbitsRoundWhatTheMiddleShowsByHalfATurnAcrossThePicture() {
         drag(InputEvent.BUTTON1_DOWN_MASK, -WIDTH / 6, 0);
 
@@ -63,7 +63,7 @@ class CameraToolTest {
         assertThat(rendered()).isNotNull();
     }
 
-    @Test
+    @WindowTest
     void draggingDownGoesUp() {
         drag(InputEvent.BUTTON1_DOWN_MASK, 0, WIDTH / 6);
 
@@ -71,7 +71,7 @@ class CameraToolTest {
     }
 
     /** The sixty pixels of the picture's height are six units at the wall. */
-    @Test
+    @WindowTest
     void theMiddleButtonPansAndTheWallStaysUnderTheMouse() {
         drag(InputEvent.BUTTON2_DOWN_MASK, 20, -10);
 
@@ -80,7 +80,7 @@ class CameraToolTest {
         assertThat(moved.getRGB(45 + 20, 30 - 10)).isEqualTo(own.getRGB(45, 30));
     }
 
-    @Test
+    @WindowTest
     void theLeftButtonPansWhileSpaceIsHeldAndOrbitsAgainAfterwards() {
         mouse.holding(KeyEvent.VK_SPACE, () -> drag(InputEvent.BUTTON1_DOWN_MASK, 20, -10));
         assertPose(new Pose(-2, -1, 2, -2, -1, -1, 90));
@@ -89,7 +89,7 @@ class CameraToolTest {
         assertPose(new Pose(-0.5, -1, -1 + 3 * Math.cos(Math.PI / 6), -2, -1, -1, 90));
     }
 
-    @Test
+    @WindowTest
     void theWheelGoesNearerAndBack() {
         mouse.move(at(MIDDLE));
         mouse.wheel(-1);
@@ -100,7 +100,7 @@ class CameraToolTest {
     }
 
     /** The pixel at 75 shows the wall 3 units to the right of the middle. */
-    @Test
+    @WindowTest
     void theWheelGoesNearerToWhatIsUnderTheMouse() {
         mouse.move(at(new Point(75, 30)));
         mouse.wheel(-1);
@@ -108,7 +108,7 @@ class CameraToolTest {
         assertPose(new Pose(0.3, 0, -1 + 2.7, 0.3, 0, -1, 90));
     }
 
-    @Test
+    @WindowTest
     void theWheelScrollsAPictureThatIsLargerThanItsPaneAndZoomsIfThatIsWanted() {
         OpenWindow.run(() -> window.picture().setZoom(new Zoom(false, 16), null));
         Screen.until("it is larger", () -> window.picture().overflows());
@@ -125,7 +125,7 @@ class CameraToolTest {
         assertThat(pose()).isNull();
     }
 
-    @Test
+    @WindowTest
     void theEyeStopsBeforeTheWall() {
         drag(InputEvent.BUTTON1_DOWN_MASK, -WIDTH / 2 + 5, 0);
         drag(InputEvent.BUTTON1_DOWN_MASK, -WIDTH / 3, 0);
@@ -135,7 +135,7 @@ class CameraToolTest {
         assertThat(pose().ez()).isGreaterThan(-1);
     }
 
-    @Test
+    @WindowTest
     void stepsAreTakenBackAndTakenAgainAndADragIsOne() {
         drag(InputEvent.BUTTON1_DOWN_MASK, -WIDTH / 6, 0);
         Pose dragged = new Pose(1.5, 0, -1 + 3 * Math.cos(Math.PI / 6), 0, 0, -1, 90);
@@ -151,7 +151,7 @@ class CameraToolTest {
         window.untilState(RenderJob.State.FINISHED);
     }
 
-    @Test
+    @WindowTest
     void homeAndAStageShowAFinishedPictureAgainAndRenderNone() {
         Picture first = OpenWindow.ask(() -> window.picture().whole());
         window.screen.press(KeyEvent.VK_PAGE_UP);
@@ -169,7 +169,7 @@ class CameraToolTest {
         assertThat(window.status()).startsWith("Finished: 5,400 rays");
     }
 
-    @Test
+    @WindowTest
     void theLineAtTheFootTellsTheGesturesAndThenHowToGoBack() {
         assertThat(window.label("gestures")).contains("Drag: orbit");
         drag(InputEvent.BUTTON1_DOWN_MASK, -WIDTH / 6, 0);
@@ -182,7 +182,7 @@ class CameraToolTest {
         window.untilState(RenderJob.State.FINISHED);
     }
 
-    @Test
+    @WindowTest
     void aClickAndTheButtonsOfOthersMoveNothing() {
         drag(InputEvent.BUTTON1_DOWN_MASK, 3, 2);
         OpenWindow.appears("the story of the pixel that was clicked", JTree.class, tree -> "story".equals(tree.getName()));
@@ -213,7 +213,7 @@ class CameraToolTest {
         assertPose(new Pose(dx, dy, 2, dx, dy, -1, 90));
     }
 
-    @Test
+    @WindowTest
     void pageUpAndPageDownGoNearerAndBack() {
         window.screen.press(KeyEvent.VK_PAGE_UP);
         assertPose(new Pose(0, 0, -1 + 2.7, 0, 0, -1, 90));
@@ -221,7 +221,7 @@ class CameraToolTest {
         assertPose(new Pose(0, 0, 2, 0, 0, -1, 90));
     }
 
-    @Test
+    @WindowTest
     void homeBringsBackExactlyTheScenesOwnPicture() {
         drag(InputEvent.BUTTON1_DOWN_MASK, -40, 20);
         assertThat(rendered()).isNotNull();
@@ -233,7 +233,7 @@ class CameraToolTest {
     }
 
     /** The moves come faster than pictures; the last is the one that stays. */
-    @Test
+    @WindowTest
     void theLastOfManyMovesIsRenderedToItsEnd() {
         OpenWindow.run(() -> {
             for (int i = 0; i < 16; i++) {
@@ -247,7 +247,7 @@ class CameraToolTest {
         assertThat(rendered()).isNotNull();
     }
 
-    @Test
+    @WindowTest
     void anotherStageKeepsTheCameraAndAnotherSceneHasItsOwn(@TempDir Path folder) {
         window.screen.press(KeyEvent.VK_PAGE_UP);
         Screen.until("it is moved", () -> pose() != null);

@@ -17,7 +17,6 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import javax.imageio.ImageIO;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -34,6 +33,7 @@ import simpleray.scene.Setting;
 import simpleray.ui.OpenWindow;
 import simpleray.ui.Screen;
 import simpleray.ui.TestScenes;
+import simpleray.ui.WindowTest;
 import simpleray.ui.file.SceneSource;
 
 /** The copied command line makes the very picture of the window, whatever the scene's name and options. */
@@ -41,7 +41,7 @@ class CommandWordsTest {
     @TempDir
     private Path folder;
 
-    @Test
+    @WindowTest
     void theCopiedLineMakesTheWindowsPicture() throws Exception {
         Path scene = Files.copy(TestScenes.THESIS, folder.resolve("it's a $HOME \"scene\" & `more`; *.scene"));
         SceneSettings asked = new SceneSettings();
@@ -69,7 +69,7 @@ class CommandWordsTest {
         }
     }
 
-    @Test
+    @WindowTest
     void theLineOfARegionThatWasRenderedAloneMakesThatRegion() throws Exception {
         try (OpenWindow window = new OpenWindow(SceneSource.file(TestScenes.THESIS), 90, 60)) {
             window.untilState(RenderJob.State.FINISHED);
@@ -90,20 +90,20 @@ class CommandWordsTest {
         }
     }
 
-    @Test
+    @WindowTest
     void onlyWhatWasAskedForIsSaid() {
         RenderRequest request = new RenderRequest(new SceneSettings(), Stage.FINAL, false, 4);
 
         assertThat(CommandWords.line(Path.of("/s/room.scene"), Reach.FOLDER, "room.png", 0, request)).endsWith(" render /s/room.scene -o room.png");
     }
 
-    @Test
+    @WindowTest
     void aFrameIsSaidUnlessItIsTheFirst() {
         assertThat(CommandWords.line(Path.of("/s/film.scene"), Reach.FOLDER, "film.png", 12, new RenderRequest()))
             .endsWith(" -o film.png --frame 12");
     }
 
-    @Test
+    @WindowTest
     void everyOptionIsSaid() {
         SceneSettings asked = new SceneSettings();
         asked.resolution = new SceneSettings.Resolution(640, 480);
@@ -129,7 +129,7 @@ class CommandWordsTest {
         return SettingSamples.withOption();
     }
 
-    @Test
+    @WindowTest
     void wordsForAUnixShellAreQuotedWhereTheyMustBe() throws Exception {
         List<String> words = List.of("plain", "/a/b-c_d.scene", "640x480", "two words", "it's", "\"", "$HOME", "a\\b", "`ls`", "~", "*",
             "a;b",
@@ -139,13 +139,13 @@ class CommandWordsTest {
         assertThat(split(ShellWords.posix(words))).isEqualTo(words);
     }
 
-    @Test
+    @WindowTest
     void wordsForWindowsAreInDoubleQuotes() {
         assertThat(ShellWords.windows(List.of("simpleray", "render", "C:\\My Scenes\\a.scene", "-1,2")))
             .isEqualTo("simpleray render \"C:\\My Scenes\\a.scene\" \"-1,2\"");
     }
 
-    @Test
+    @WindowTest
     void aSceneWithoutAFileHasNoCommandLine() {
         byte[] text = "0  0 0 0  0".getBytes(StandardCharsets.US_ASCII);
         try (OpenWindow window = new OpenWindow(SceneSource.text(text), 16, 16)) {

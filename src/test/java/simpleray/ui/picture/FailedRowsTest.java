@@ -5,12 +5,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.awt.Rectangle;
 import java.awt.image.BufferedImage;
 import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.Test;
 import simpleray.math.Ray;
 import simpleray.scene.SceneFile;
 import simpleray.ui.OpenWindow;
 import simpleray.ui.Screen;
 import simpleray.ui.TestScenes;
+import simpleray.ui.WindowTest;
 import simpleray.ui.file.SceneSource;
 
 /** A program that fails at some rows: it says so, marks them, and shows the others. */
@@ -25,7 +25,7 @@ class FailedRowsTest {
         }
     }
 
-    @Test
+    @WindowTest
     void rowsThatCouldNotBeRenderedAreHatchedAndTold() {
         window = new OpenWindow(TestScenes.watched(TestScenes.THESIS, ray -> {
             int row = row(ray);
@@ -49,7 +49,7 @@ class FailedRowsTest {
         }
     }
 
-    @Test
+    @WindowTest
     void whereNothingCanBeRenderedAllOfItIsHatched() {
         window = new OpenWindow(TestScenes.watched(TestScenes.THESIS, ray -> {
             throw new StackOverflowError();
@@ -63,7 +63,7 @@ class FailedRowsTest {
         });
     }
 
-    @Test
+    @WindowTest
     void aSceneThatIsTooLargeForTheMemoryIsToldAsSuch() {
         window = new OpenWindow(new SceneSource() {
             @Override
@@ -82,7 +82,7 @@ class FailedRowsTest {
             + "smaller, or give java more by -Xmx");
     }
 
-    @Test
+    @WindowTest
     void theNextRenderingDoesNotSayItAgain() {
         boolean[] faulty = {true};
         window = new OpenWindow(TestScenes.watched(TestScenes.THESIS, ray -> {
@@ -116,7 +116,7 @@ class FailedRowsTest {
         return fromTheEye ? (int) ((ray.direction.y / ray.direction.z + 1) / 2 * SIDE) : -1;
     }
 
-    @Test
+    @WindowTest
     void rowsWithTheSameFaultShareALine() {
         FailedRows rows = new FailedRows();
         assertThat(rows.isEmpty()).isTrue();

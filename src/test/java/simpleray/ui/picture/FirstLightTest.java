@@ -13,7 +13,6 @@ import javax.swing.Timer;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
-import org.junit.jupiter.api.Test;
 import simpleray.Sample;
 import simpleray.render.RenderRequest;
 import simpleray.scene.PerspectiveCamera.Pose;
@@ -22,6 +21,7 @@ import simpleray.ui.OpenWindow;
 import simpleray.ui.Screen;
 import simpleray.ui.StallMeter;
 import simpleray.ui.TestScenes;
+import simpleray.ui.WindowTest;
 import simpleray.ui.file.SceneSource;
 
 /**
@@ -47,7 +47,7 @@ class FirstLightTest {
         window.close();
     }
 
-    @Test
+    @WindowTest
     void theCoarsePictureOfTheWholeFrameIsPaintedFirst() {
         double best = Double.POSITIVE_INFINITY;
         for (int i = 0; i < Sample.size(5, 2); i++) {
@@ -73,13 +73,13 @@ class FirstLightTest {
         System.out.println("first light after " + best + " ms");
     }
 
-    @Test
+    @WindowTest
     void theEventThreadIsNeverHeldLongerThan16Milliseconds() {
         assertNeverHeld(4);
     }
 
     @Tag("slow")
-    @Test
+    @WindowTest
     void norByALargePicture() {
         window.close();
         window = new OpenWindow(SceneSource.file(TestScenes.THESIS), 2000, 2000);
@@ -102,7 +102,7 @@ class FirstLightTest {
     }
 
     /** A timer moves it as a mouse would. */
-    @Test
+    @WindowTest
     void theCameraMayMoveAsOftenAsTheMouseAndThePictureFollows() {
         int moves = 60;
         List<RenderRequest> shown = new ArrayList<>();

@@ -14,7 +14,6 @@ import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JTree;
 import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -22,6 +21,7 @@ import simpleray.render.RenderRequest;
 import simpleray.ui.OpenWindow;
 import simpleray.ui.Screen;
 import simpleray.ui.TestScenes;
+import simpleray.ui.WindowTest;
 import simpleray.ui.file.SceneSource;
 
 /** The picture as large as its room, and where it was while panes open. */
@@ -39,7 +39,7 @@ class FitTest {
         window.close();
     }
 
-    @Test
+    @WindowTest
     void aSceneWithoutASizeIsRenderedAsLargeAsItsPaneAndAgainWhenThatIsResized() {
         open(TestScenes.plain(folder.resolve("plain.scene"), 0.2, 0.4, 0.6), new RenderRequest());
         untilItFits();
@@ -55,7 +55,7 @@ class FitTest {
             .isEqualTo(OpenWindow.ask(() -> window.picture().imageSize().width));
     }
 
-    @Test
+    @WindowTest
     void aZoomedPictureKeepsItsSizeWhateverTheWindowHas() {
         open(TestScenes.plain(folder.resolve("plain.scene"), 0.2, 0.4, 0.6), new RenderRequest());
         untilItFits();
@@ -69,7 +69,7 @@ class FitTest {
         assertThat(OpenWindow.ask(() -> window.picture().imageSize())).isEqualTo(new Dimension(side, side));
     }
 
-    @Test
+    @WindowTest
     void aLargePictureWithASizeIsShownWholeUntilTheUserZooms() {
         open(TestScenes.plain(folder.resolve("plain.scene"), 0.2, 0.4, 0.6), OpenWindow.request(1600, 1200));
         OpenWindow.run(() -> window.frame.setSize(1000, 700));
@@ -80,14 +80,14 @@ class FitTest {
         });
     }
 
-    @Test
+    @WindowTest
     void whatWasClickedStaysUnderTheMouseWhenItsStoryComes() throws Exception {
         open(TestScenes.THESIS, new RenderRequest());
         untilItFits();
         clickStays(new Point(300, 300));
     }
 
-    @Test
+    @WindowTest
     void soItDoesAtTheRightEdgeOfAPictureAsWideAsTheWindow() throws Exception {
         open(TestScenes.THESIS, OpenWindow.request(800, 300));
         window.untilState(RenderJob.State.FINISHED);
@@ -95,7 +95,7 @@ class FitTest {
         clickStays(new Point(600, 200));
     }
 
-    @Test
+    @WindowTest
     void thePictureStaysWhereItIsWhenWarningsCome() {
         open(TestScenes.THESIS, OpenWindow.request(400, 400));
         Screen.until("something is shown", () -> window.picture().seen() != null);
@@ -128,7 +128,7 @@ class FitTest {
         assertThat(OpenWindow.ask(this::onScreen)).isEqualTo(before);
     }
 
-    @Test
+    @WindowTest
     void thePixelIsInSightAlsoIfItsRaysAreAskedForAtOnce() throws Exception {
         open(TestScenes.THESIS, OpenWindow.request(800, 300));
         window.untilState(RenderJob.State.FINISHED);
@@ -143,7 +143,7 @@ class FitTest {
         });
     }
 
-    @Test
+    @WindowTest
     void thePixelOfAStoryKeepsItsPlaceInAPictureOfAnotherSize() throws Exception {
         open(TestScenes.THESIS, OpenWindow.request(200, 150));
         window.untilState(RenderJob.State.FINISHED);
@@ -166,7 +166,7 @@ class FitTest {
         return OpenWindow.seen(JLabel.class, label -> pixel.equals(label.getText())) != null;
     }
 
-    @Test
+    @WindowTest
     void besidePanesTheWheelMovesTheCameraAndAnotherSceneFits() throws Exception {
         Path scene = TestScenes.plain(folder.resolve("plain.scene"), 0.2, 0.4, 0.6);
         Path other = TestScenes.plain(folder.resolve("other.scene"), 0.6, 0.4, 0.2);

@@ -11,7 +11,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import simpleray.render.RenderRequest;
 import simpleray.scene.ParallelCamera.View;
@@ -20,6 +19,7 @@ import simpleray.ui.Mouse;
 import simpleray.ui.OpenWindow;
 import simpleray.ui.Screen;
 import simpleray.ui.TestScenes;
+import simpleray.ui.WindowTest;
 import simpleray.ui.file.SceneSource;
 
 /** A camera of parallel rays, moved by mouse and keys. The sixty pixels of its picture's height are six units, and z is up. */
@@ -47,7 +47,7 @@ class ParallelCameraToolTest {
         window.close();
     }
 
-    @Test
+    @WindowTest
     void aDragOrbitsRoundUpAndHomeBringsTheScenesOwnViewBack() {
         drag(InputEvent.BUTTON1_DOWN_MASK, -45, 0);
         assertView(5, 0, 0, 0, 0, 0, 6);
@@ -58,7 +58,7 @@ class ParallelCameraToolTest {
         window.untilShown("the scene's own view", own);
     }
 
-    @Test
+    @WindowTest
     void theWheelChangesTheHeightAndNotThePlace() {
         Mouse mouse = new Mouse(window.picture());
         mouse.move(at(45, 30));
@@ -69,14 +69,14 @@ class ParallelCameraToolTest {
         assertView(0, -5, 0, 0, -1, 0, 6 / 0.9);         // what is in the middle is the pivot by now
     }
 
-    @Test
+    @WindowTest
     void theMiddleButtonPansByWhatIsUnderTheMouse() {
         drag(InputEvent.BUTTON2_DOWN_MASK, 20, -10);
 
         assertView(-2, -5, -1, -2, 0, -1, 6);
     }
 
-    @Test
+    @WindowTest
     void anotherStageKeepsItAndTheViewIsSavedAsItIs() throws IOException {
         window.screen.press(KeyEvent.VK_PAGE_UP);
         assertView(0, -5, 0, 0, 0, 0, 5.4);

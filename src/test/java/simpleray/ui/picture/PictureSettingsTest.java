@@ -12,11 +12,11 @@ import javax.swing.JMenu;
 import javax.swing.JMenuItem;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import simpleray.ui.OpenWindow;
 import simpleray.ui.Screen;
 import simpleray.ui.TestScenes;
+import simpleray.ui.WindowTest;
 import simpleray.ui.file.SceneSource;
 
 /** The size, the samples and the depth in the Render menu. */
@@ -42,7 +42,7 @@ class PictureSettingsTest {
         window.close();
     }
 
-    @Test
+    @WindowTest
     void aSizeIsRenderedAndTicked() {
         choose("Size", "320 \u00D7 240");
         Screen.until("it has the size", () -> window.picture().imageSize().equals(new Dimension(320, 240)));
@@ -55,7 +55,7 @@ class PictureSettingsTest {
         window.screen.press(KeyEvent.VK_ESCAPE);
     }
 
-    @Test
+    @WindowTest
     void whatIsChosenIsWrittenIntoTheScene() throws IOException {
         choose("Samples", "3 \u00D7 3 a pixel");
         choose("Depth", "10");
@@ -69,7 +69,7 @@ class PictureSettingsTest {
         assertThat(window.job().snapshot().settings().samples).isEqualTo(3);
     }
 
-    @Test
+    @WindowTest
     void asInTheSceneTakesBackWhatWasChosen() {
         choose("Depth", "0");
         choose("Size", "320 \u00D7 240");

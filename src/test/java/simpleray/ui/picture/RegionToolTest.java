@@ -13,12 +13,12 @@ import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
 import javax.swing.JTextField;
 import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.Test;
 import simpleray.math.Ray;
 import simpleray.render.Region;
 import simpleray.ui.OpenWindow;
 import simpleray.ui.Screen;
 import simpleray.ui.TestScenes;
+import simpleray.ui.WindowTest;
 import simpleray.ui.file.SceneSource;
 
 /** A region of the picture, drawn with the mouse, that is rendered first or alone. */
@@ -37,7 +37,7 @@ class RegionToolTest {
         window.close();
     }
 
-    @Test
+    @WindowTest
     void shiftAndADragRenderTheRegionFirst() throws AWTException {
         AtomicReference<Consumer<Ray>> hurdle = new AtomicReference<>(gate);
         window = new OpenWindow(TestScenes.watched(TestScenes.THESIS, ray -> hurdle.get().accept(ray)), SIDE, SIDE);
@@ -65,7 +65,7 @@ class RegionToolTest {
         assertThat(window.canDo("Save Picture As…")).isTrue();
     }
 
-    @Test
+    @WindowTest
     void aFinishedPictureHasTheRegionAlready() throws AWTException {
         gate.open();
         window = new OpenWindow(SceneSource.file(TestScenes.THESIS), SIDE, SIDE);
@@ -77,7 +77,7 @@ class RegionToolTest {
         assertThat(window.job()).isSameAs(job);
     }
 
-    @Test
+    @WindowTest
     void regionOnlyRendersItAloneAndEscapeBringsTheRest() throws AWTException {
         gate.open();
         window = new OpenWindow(SceneSource.file(TestScenes.THESIS), SIDE, SIDE);
@@ -100,7 +100,7 @@ class RegionToolTest {
         assertThat(window.canDo("Save Picture As…")).isTrue();
     }
 
-    @Test
+    @WindowTest
     void aDragIsClampedToThePictureAndEscapeGivesItUp() throws AWTException {
         gate.open();
         window = new OpenWindow(SceneSource.file(TestScenes.THESIS), SIDE, SIDE);
@@ -124,7 +124,7 @@ class RegionToolTest {
         Screen.until("a click lets go of it", () -> window.picture().regions().region() == null);
     }
 
-    @Test
+    @WindowTest
     void theNumbersOfARegionMayBeTyped() {
         gate.open();
         window = new OpenWindow(SceneSource.file(TestScenes.THESIS), SIDE, SIDE);
@@ -138,7 +138,7 @@ class RegionToolTest {
         window.untilState(RenderJob.State.FINISHED);
     }
 
-    @Test
+    @WindowTest
     void aPointOfTheComponentIsAPixelOfThePictureOrNone() {
         gate.open();
         window = new OpenWindow(SceneSource.file(TestScenes.THESIS), SIDE, SIDE);

@@ -7,12 +7,12 @@ import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
-import org.junit.jupiter.api.Test;
 import simpleray.math.Ray;
 import simpleray.render.Stage;
 import simpleray.ui.OpenWindow;
 import simpleray.ui.Screen;
 import simpleray.ui.TestScenes;
+import simpleray.ui.WindowTest;
 
 /** Cancelling a rendering while a finished picture is shown. */
 class RenderJobCancelTest {
@@ -36,7 +36,7 @@ class RenderJobCancelTest {
         window.close();
     }
 
-    @Test
+    @WindowTest
     void beforeTheFirstRowThePictureStaysAndCanBeSaved() {
         hurdle.set(all);
         window.screen.press(KeyEvent.VK_2);
@@ -50,7 +50,7 @@ class RenderJobCancelTest {
         assertThat(window.canDo("Save Picture As…")).isTrue();
     }
 
-    @Test
+    @WindowTest
     void halfWayWhatIsShownIsNoWholePictureAndCannotBeSaved() {
         hurdle.set(half);
         window.screen.press(KeyEvent.VK_2);

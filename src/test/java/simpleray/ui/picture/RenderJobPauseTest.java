@@ -4,11 +4,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.event.KeyEvent;
 import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.Test;
 import simpleray.render.Progress;
 import simpleray.ui.OpenWindow;
 import simpleray.ui.Screen;
 import simpleray.ui.TestScenes;
+import simpleray.ui.WindowTest;
 
 /** A rendering that is held for a while. */
 class RenderJobPauseTest {
@@ -23,7 +23,7 @@ class RenderJobPauseTest {
         window.close();
     }
 
-    @Test
+    @WindowTest
     void spaceHoldsTheRenderingAndLetsItGoOn() {
         pauseHalfWay();
         gate.open();
@@ -40,7 +40,7 @@ class RenderJobPauseTest {
         assertThat(window.canDo("Pause")).isFalse();
     }
 
-    @Test
+    @WindowTest
     void theTimeShownStandsMeanwhile() {
         pauseHalfWay();
         double then = window.job().snapshot().seconds();
@@ -49,7 +49,7 @@ class RenderJobPauseTest {
         assertThat(window.job().snapshot().seconds()).isEqualTo(then);
     }
 
-    @Test
+    @WindowTest
     void aHeldRenderingCanBeCancelled() {
         pauseHalfWay();
         gate.open();
@@ -60,7 +60,7 @@ class RenderJobPauseTest {
         Screen.until("all threads end", () -> OpenWindow.threads().isEmpty());
     }
 
-    @Test
+    @WindowTest
     void anotherRenderingIsNotHeld() {
         pauseHalfWay();
         gate.open();

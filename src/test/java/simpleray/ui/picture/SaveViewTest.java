@@ -16,7 +16,6 @@ import javax.swing.JOptionPane;
 import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import simpleray.scene.PerspectiveCamera.Pose;
 import simpleray.scene.Reach;
@@ -26,6 +25,7 @@ import simpleray.scene.ViewLines;
 import simpleray.ui.OpenWindow;
 import simpleray.ui.Screen;
 import simpleray.ui.TestScenes;
+import simpleray.ui.WindowTest;
 import simpleray.ui.file.FileSource;
 import simpleray.ui.file.SceneSource;
 
@@ -50,7 +50,7 @@ class SaveViewTest {
         window.close();
     }
 
-    @Test
+    @WindowTest
     void copyCameraPutsTheLineOnTheClipboard() {
         window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_C);
         untilClipboard("camera 0 0 2 0 0 0 90\n");
@@ -61,7 +61,7 @@ class SaveViewTest {
         untilClipboard("camera 0 0 1.7 0 0 -1 90\n");
     }
 
-    @Test
+    @WindowTest
     void aWindowThatNoFreeCameraShowsIsCopiedAsItIs() {
         byte[] framed = (SCENE + "window -1 3 -2 2\r\ncop 4\r\n").getBytes(StandardCharsets.UTF_8);
         OpenWindow.run(() -> window.open(SceneSource.text(framed)));
@@ -71,7 +71,7 @@ class SaveViewTest {
         untilClipboard("window -1 3 -2 2\ncop 4\n");
     }
 
-    @Test
+    @WindowTest
     void saveViewWritesTheLineAndNothingElseAndItIsTheScenesOwnFromThenOn() throws IOException {
         moved();
         save();
@@ -90,7 +90,7 @@ class SaveViewTest {
         assertThat(text()).isEqualTo(SCENE + "camera 0 0 1.43 0 0 -1 90\r\n");
     }
 
-    @Test
+    @WindowTest
     void aFileThatWasChangedMeanwhileStaysAsItIs() throws IOException {
         FileSource source = new FileSource(scene, Reach.FOLDER);   // not the window's, which reads it anew as soon as it hears of it
         source.read();
@@ -104,7 +104,7 @@ class SaveViewTest {
         assertThat(files()).isEqualTo(1);
     }
 
-    @Test
+    @WindowTest
     void aFileThatIsGoneIsNotMadeAnew() throws IOException {
         moved();
         Files.delete(scene);
@@ -114,7 +114,7 @@ class SaveViewTest {
         assertThat(files()).isZero();
     }
 
-    @Test
+    @WindowTest
     void aFileThatIsNoSceneAnyMoreIsNotWritten() throws IOException {
         moved();
         TestScenes.write(scene, "oops");
@@ -126,7 +126,7 @@ class SaveViewTest {
         assertThat(text()).isEqualTo("oops");
     }
 
-    @Test
+    @WindowTest
     void aSceneWithoutAFileIsRefused() throws IOException {
         OpenWindow.run(() -> window.open(SceneSource.text(SCENE.getBytes(StandardCharsets.UTF_8))));
         window.untilState(RenderJob.State.FINISHED);
@@ -137,7 +137,7 @@ class SaveViewTest {
         assertThat(text()).isEqualTo(SCENE);
     }
 
-    @Test
+    @WindowTest
     void aCameraOfTheCommandLineIsSavedThoughItWasNotMoved() throws IOException {
         SceneSettings asked = new SceneSettings();
         asked.cop = 5.0;

@@ -10,10 +10,10 @@ import java.util.function.Consumer;
 import javax.swing.JFrame;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
-import org.junit.jupiter.api.Test;
 import simpleray.ui.OpenWindow;
 import simpleray.ui.Screen;
 import simpleray.ui.TestScenes;
+import simpleray.ui.WindowTest;
 import simpleray.ui.file.SceneSource;
 
 /** The thesis's applet in its new clothes: init, start, stop, run, paint and update, in a frame of somebody else. */
@@ -41,7 +41,7 @@ class SimpleRayTest {
         Screen.until("all threads end", () -> OpenWindow.threads().isEmpty());
     }
 
-    @Test
+    @WindowTest
     void initMakesAnEmptyPicture() {
         show(SceneSource.file(TestScenes.THESIS));
         OpenWindow.run(ray::init);
@@ -51,7 +51,7 @@ class SimpleRayTest {
         assertThat(OpenWindow.threads()).isEmpty();
     }
 
-    @Test
+    @WindowTest
     void startRendersAndShowsThePicture() {
         show(SceneSource.file(TestScenes.THESIS));
         OpenWindow.run(ray::init);
@@ -61,7 +61,7 @@ class SimpleRayTest {
         Screen.until("it is whole", () -> ray.whole() != null);
     }
 
-    @Test
+    @WindowTest
     void stopEndsTheThreads() {
         show(TestScenes.slow(TestScenes.THESIS));
         OpenWindow.run(ray::init);
@@ -73,7 +73,7 @@ class SimpleRayTest {
         assertThat(OpenWindow.ask(ray::whole)).isNull();
     }
 
-    @Test
+    @WindowTest
     void startAfterStopRendersAnew() {
         show(TestScenes.watched(TestScenes.THESIS, gate));
         OpenWindow.run(ray::init);
@@ -86,7 +86,7 @@ class SimpleRayTest {
     }
 
     /** The kicker calls run; here somebody else does, in one go with the look at what it did. */
-    @Test
+    @WindowTest
     void runTakesFinishedRowsIntoThePictureThatPaintAndUpdatePaint() {
         show(SceneSource.file(TestScenes.THESIS));
         OpenWindow.run(ray::init);
@@ -103,7 +103,7 @@ class SimpleRayTest {
     }
 
     /** A ball of its ambient light alone, which the corners miss; the ground's squares have sides of 8. */
-    @Test
+    @WindowTest
     void transparentPartsShowAChequeredGround() {
         show(SceneSource.text("1 0 0 0 0 1  1 0 0  0 0 0  0 0 0 1  1 1 1  0\nbackground none".getBytes(StandardCharsets.UTF_8)));
         OpenWindow.run(ray::init);

@@ -15,13 +15,13 @@ import java.util.stream.Stream;
 import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import simpleray.ui.Mouse;
 import simpleray.ui.OpenWindow;
 import simpleray.ui.Screen;
 import simpleray.ui.TestScenes;
+import simpleray.ui.WindowTest;
 import simpleray.ui.file.SceneSource;
 
 /** The picture's size on the screen. */
@@ -47,7 +47,7 @@ class ZoomTest {
         window.close();
     }
 
-    @Test
+    @WindowTest
     void theFinishedPictureIsOnTheScreenPixelForPixelAndInTheMiddle() {
         window.untilShown("the picture", whole);
 
@@ -58,7 +58,7 @@ class ZoomTest {
         assertThat(window.label("size")).isEqualTo("600 × 300, final");
     }
 
-    @Test
+    @WindowTest
     void aLargerWindowShowsThePictureAt100PerCentAndNoScrollBars() {
         resize(LARGE);
 
@@ -66,7 +66,7 @@ class ZoomTest {
         assertThat(scrollBars()).isEqualTo("none");
     }
 
-    @Test
+    @WindowTest
     void aSmallerWindowShowsAPieceAt100PerCentAndScrolls() {
         resize(SMALL);
         Screen.until("there are scroll bars", () -> scrollBars().equals("both"));
@@ -79,7 +79,7 @@ class ZoomTest {
         untilPieceIsShown(70, 50);
     }
 
-    @Test
+    @WindowTest
     void fitToWindowScalesThePictureAndActualSizeBringsItBack() {
         resize(SMALL);
         window.screen.press(KeyEvent.VK_F);
@@ -95,7 +95,7 @@ class ZoomTest {
         window.untilShown("the picture", whole);
     }
 
-    @Test
+    @WindowTest
     void anEnlargedPictureReachesFromCornerToCorner() {
         resize(LARGE);
         window.screen.press(KeyEvent.VK_F);
@@ -125,7 +125,7 @@ class ZoomTest {
             window.screen.capture(window.picture(), window.picture().place()), 0, 0, inOneGo, 0, inOneGo.getHeight()));
     }
 
-    @Test
+    @WindowTest
     void theWheelWithControlZoomsAboutTheCursorAndPixelsAreCrisp() {
         window.untilShown("the picture", whole);
         Mouse mouse = new Mouse(window.picture());
@@ -156,7 +156,7 @@ class ZoomTest {
         assertThat(OpenWindow.ask(() -> window.picture().request().settings().camera)).as("it moves no camera").isNull();
     }
 
-    @Test
+    @WindowTest
     void keysZoomAboutTheMiddle() {
         window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_EQUALS);
         window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_EQUALS);
@@ -175,7 +175,7 @@ class ZoomTest {
         assertThat(OpenWindow.ask(() -> window.picture().place().getSize())).isEqualTo(new Dimension(WIDTH / 2, HEIGHT / 2));
     }
 
-    @Test
+    @WindowTest
     void theMenuTicksTheZoomThatIsShown() {
         window.screen.press(KeyEvent.VK_F);
         assertThat(ticks()).isEqualTo("Fit to Window");
@@ -187,7 +187,7 @@ class ZoomTest {
         assertThat(ticks()).isEqualTo("Actual Size");
     }
 
-    @Test
+    @WindowTest
     void controlAndArrowsScroll() {
         resize(SMALL);
         Screen.until("there are scroll bars", () -> scrollBars().equals("both"));

@@ -10,13 +10,13 @@ import javax.swing.JTabbedPane;
 import javax.swing.JTree;
 import javax.swing.text.JTextComponent;
 import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import simpleray.ui.Mouse;
 import simpleray.ui.OpenWindow;
 import simpleray.ui.Screen;
 import simpleray.ui.TestScenes;
+import simpleray.ui.WindowTest;
 import simpleray.ui.file.SceneSource;
 import simpleray.ui.picture.RenderJob;
 
@@ -54,7 +54,7 @@ class SidePanesTest {
         assertThat(share()).isGreaterThanOrEqualTo(MIN_SHARE);
     }
 
-    @Test
+    @WindowTest
     void theTabsFollowTheKeysOfWhatTheyShow() {
         openAll(1000, 700);
         window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_E);
@@ -69,7 +69,7 @@ class SidePanesTest {
         Screen.until("the rays are gone", () -> rays() == null && story() != null);
     }
 
-    @Test
+    @WindowTest
     void aWideWindowShowsAllAtOnce() {
         openAll(1700, 700);
         Screen.until("the text is seen, too", () -> text() != null && story() != null && rays() != null);
