@@ -1,7 +1,7 @@
 /*
  * A disk with faults, for a process that has this library preloaded. In the environment DISK tells what is refused and with which errno, as
- * "rename=16 lock=37", for files whose path contains DISK_PATH. SLOW=N has each close of such a file take N
- * milliseconds, once.
+ * "rename=16 lock=37", for files whose path contains DISK_PATH. SLOW tells likewise what takes how many
+ * milliseconds, once: close, rename or unlink.
  */
 #define _GNU_SOURCE
 #include <dlfcn.h>
@@ -20,14 +20,24 @@ static const char *wanted(void) {
     return path ? path : "";
 }
 
-/* The errno with which something is refused, 0 if it is not. */
-static int refused(const char *what) {
-    const char *all = getenv("DISK");
+/* What a variable of the environment says of something, 0 if nothing. */
+static int told(const char *all, const char *what) {
     size_t length = strlen(what);
     for (const char *at = all; at && (at = strstr(at, what)); at += length)
         if ((at == all || at[-1] == ' ') && at[length] == '=')
             return atoi(at + length + 1);
     return 0;
+}
+
+/* The errno with which something is refused, 0 if it is not. */
+static int refused(const char *what) { return told(getenv("DISK"), what); }
+
+static void wait_once(const char *what, const char *path) {
+    int milliseconds = strstr(path, wanted()) ? told(getenv("SLOW"), what) : 0;
+    if (milliseconds) {
+        unsetenv("SLOW");
+        usleep(1000 * milliseconds);
+    }
 }
 
 static int refuse(const char *what, const char *path) {
@@ -91,14 +101,12 @@ ssize_t copy_file_range(int from, off64_t *at, int to, off64_t *place, size_t co
         : NEXT(ssize_t, "copy_file_range", int, off64_t *, int, off64_t *, size_t, unsigned)(from, at, to, place, count, flags);
 }
 int close(int fd) {
-    const char *slow = getenv("SLOW");
     char link[64], path[4096];
     snprintf(link, sizeof link, "/proc/self/fd/%d", fd);
-    ssize_t length = slow ? readlink(link, path, sizeof path - 1) : -1;
-    path[length < 0 ? 0 : length] = 0;
-    if (length > 0 && strstr(path, wanted())) {
-        unsetenv("SLOW");
-        usleep(1000 * atoi(slow));
+    ssize_t length = getenv("SLOW") ? readlink(link, path, sizeof path - 1) : -1;
+    if (length > 0) {
+        path[length] = 0;
+        wait_once("close", path);
     }
     int refusal = refuse_fd("close", fd);
     int closed = NEXT(int, "close", int)(fd);
@@ -106,12 +114,18 @@ int close(int fd) {
     return refusal ? -1 : closed;
 }
 
-int rename(const char *from, const char *to) { return refuse("rename", to) ? -1 : NEXT(int, "rename", const char *, const char *)(from, to); }
+int rename(const char *from, const char *to) {
+    wait_once("rename", to);
+    return refuse("rename", to) ? -1 : NEXT(int, "rename", const char *, const char *)(from, to);
+}
 int renameat(int f, const char *from, int t, const char *to) {
     return refuse("rename", to) ? -1 : NEXT(int, "renameat", int, const char *, int, const char *)(f, from, t, to);
 }
 int link(const char *from, const char *to) { return refuse("link", to) ? -1 : NEXT(int, "link", const char *, const char *)(from, to); }
-int unlink(const char *path) { return refuse("unlink", path) ? -1 : NEXT(int, "unlink", const char *)(path); }
+int unlink(const char *path) {
+    wait_once("unlink", path);
+    return refuse("unlink", path) ? -1 : NEXT(int, "unlink", const char *)(path);
+}
 int unlinkat(int fd, const char *path, int flags) { return refuse("unlink", path) ? -1 : NEXT(int, "unlinkat", int, const char *, int)(fd, path, flags); }
 int chmod(const char *path, mode_t mode) { return refuse("chmod", path) ? -1 : NEXT(int, "chmod", const char *, mode_t)(path, mode); }
 int fchmod(int fd, mode_t mode) { return refuse_fd("chmod", fd) ? -1 : NEXT(int, "fchmod", int, mode_t)(fd, mode); }

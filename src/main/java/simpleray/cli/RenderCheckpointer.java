@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
+import java.util.function.BooleanSupplier;
 import java.util.function.Supplier;
 import simpleray.image.Checkpoint;
 import simpleray.image.png.RowSink;
@@ -48,6 +49,7 @@ final class RenderCheckpointer implements RowSink, Closeable {
         }
     };
     private final CountDownLatch closed = new CountDownLatch(1);
+    private BooleanSupplier inPlace = () -> false;
     private Thread timer;
     private List<Early> early;                                // null if rows are not kept in memory
     private long earlyBytes;
@@ -116,10 +118,12 @@ final class RenderCheckpointer implements RowSink, Closeable {
      * Begins: with the rows that are kept if that is asked for, and at once or later.
      *
      * @param options what is asked for
+     * @param whole tells whether the picture is whole in its place; if it is being moved there, once it is
      * @param late after how many milliseconds a checkpoint is begun that was not asked for
      * @throws CommandException if the checkpoint is of another picture, or cannot be used
      */
-    void begin(CheckpointOptions options, long late) throws CommandException {
+    void begin(CheckpointOptions options, BooleanSupplier whole, long late) throws CommandException {
+        inPlace = whole;
         this.late = late;
         named = options.isNamed();
         if (path != null) {
@@ -302,8 +306,10 @@ final class RenderCheckpointer implements RowSink, Closeable {
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }
+        boolean whole = inPlace.getAsBoolean();
         synchronized (this) {
-            if (picture != null) {
+            done |= whole;
+            if (picture != null && !done) {
                 beginCheckpoint(picture);
             }
             end();

@@ -213,6 +213,11 @@ public final class AtomicFile implements Closeable {
         }
     }
 
+    /** {@return whether it is whole in its place} If it is being moved there now, this waits for that. */
+    public synchronized boolean isWhole() {
+        return whole;
+    }
+
     /**
      * Overwrites the target. Its length changes first, so that a disk that is too full or cannot cut a file off is noticed while the old
      * file is whole.

@@ -3,8 +3,11 @@ package simpleray.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import java.io.BufferedReader;
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.util.ArrayList;
@@ -18,6 +21,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import simpleray.Project;
@@ -28,6 +32,7 @@ import simpleray.io.AtomicFile;
 @Timeout(value = 300, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 class FaultyDiskTest {
     private static final int ENOSPC = 28;
+    private static final String OLD = "the old one";
     private static final Map<Integer, String> WORDS = Map.of(1, "Operation not permitted", 5, "Input/output error", 13, "permission denied",
         16, "Device or resource busy", 18, "Invalid cross-device link", 22, "Invalid argument", 37, "No locks available",
         38, "Function not implemented", 95, "Operation not supported", 122, "Disk quota exceeded");
@@ -65,7 +70,7 @@ class FaultyDiskTest {
     }
 
     private void writeTheOldFile() throws IOException {
-        Files.writeString(out, "the old one, longer than what is written ".repeat(1000));
+        Files.writeString(out, (OLD + ", longer than what is written ").repeat(1000));
         Files.setPosixFilePermissions(out, PosixFilePermissions.fromString("rw-r-----"));
     }
 
@@ -150,7 +155,7 @@ class FaultyDiskTest {
 
         assertThat(old.err()).startsWith("simpleray: " + out + ": its folder takes no new file (").hasLineCount(1);
         assertThat(old.exitCode()).isZero();
-        assertThat(out).content().startsWith("#").doesNotContain("the old one");
+        assertThat(out).content().startsWith("#").doesNotContain(OLD);
         assertOnly(out);
     }
 
@@ -164,7 +169,7 @@ class FaultyDiskTest {
 
         assertThat(result.err()).isEqualTo("simpleray: " + out + ": cannot be created: Read-only file system\n");
         assertThat(result.exitCode()).isEqualTo(ExitCode.NO_OUTPUT);
-        assertThat(out).content().startsWith("the old one");
+        assertThat(out).content().startsWith(OLD);
         assertOnly(out);
     }
 
@@ -224,7 +229,7 @@ class FaultyDiskTest {
 
         assertThat(result.err()).isEqualTo("simpleray: " + out + ": cannot be written: Invalid argument\n");
         assertThat(result.exitCode()).isEqualTo(ExitCode.WRITE_ERROR);
-        assertThat(out).content().startsWith("the old one").hasSize(41_000);
+        assertThat(out).content().startsWith(OLD).hasSize(41_000);
         assertOnly(out);
     }
 
@@ -283,9 +288,9 @@ class FaultyDiskTest {
     @Test
     void aRunThatIsToldToStopDoesNotMoveTheNextOnesUnfinishedFile() throws IOException, InterruptedException {
         Path part = folder.resolve(".simpleray-out.part");
-        Files.writeString(out, "the old one");
+        Files.writeString(out, OLD);
         ProcessBuilder first = program("", "render @ball.scene --size 20x20 -q -o " + out);
-        first.environment().putAll(Map.of("DISK_PATH", part.toString(), "SLOW", "900"));
+        first.environment().putAll(Map.of("DISK_PATH", part.toString(), "SLOW", "close=900"));
         Process process = first.start();
         try {
             while (!Files.exists(part) || Files.size(part) == 0) {
@@ -300,7 +305,7 @@ class FaultyDiskTest {
                 second.out().write(new byte[1 << 16]);
                 second.out().flush();
                 assertThat(process.waitFor(60, TimeUnit.SECONDS)).isTrue();
-                assertThat(out).hasContent("the old one");
+                assertThat(out).hasContent(OLD);
                 assertThat(part).hasSize(1 << 16);
                 second.commit();
             }
@@ -310,5 +315,40 @@ class FaultyDiskTest {
         assertThat(process.exitValue()).isEqualTo(ExitCode.TERMINATED);
         assertThat(out).hasSize(1 << 16);
         assertOnly(out, folder.resolve("out.part"));          // its finished rows
+    }
+
+    /** The picture is whole, whatever the end of the program has to wait for. */
+    @ParameterizedTest
+    @CsvSource({"rename=5000, out", "unlink=5000, out.part"})
+    void aRenderingToldToStopWhileItsPictureComesToItsPlaceIsFinished(String slow, String where) throws IOException, InterruptedException {
+        Path part = folder.resolve(".simpleray-out.part");
+        Files.writeString(out, OLD);
+        ProcessBuilder slowly = program("", "render @ball.scene --size 20x20 -q --checkpoint " + folder.resolve("out.part") + " -o " + out);
+        slowly.environment().putAll(Map.of("DISK_PATH", folder.resolve(where).toString(), "SLOW", slow));
+        Process process = slowly.start();
+        try (BufferedReader err = process.errorReader()) {
+            while (!isWholePng(part) && !isWholePng(out)) {
+                assertThat(process.isAlive()).isTrue();
+                Thread.sleep(1);
+            }
+            Thread.sleep(1000);                               // it has been written, and waits for the disk
+            process.toHandle().destroy();
+            assertThat(process.waitFor(60, TimeUnit.SECONDS)).isTrue();
+
+            assertThat(process.exitValue()).isEqualTo(ExitCode.TERMINATED);
+            assertThat(err.lines()).isEmpty();
+        } finally {
+            process.destroyForcibly();
+        }
+        assertOnly(out);
+        assertThat(InProcess.run("verify", out.toString()).exitCode()).isEqualTo(ExitCode.DONE);
+    }
+
+    private static boolean isWholePng(Path file) throws IOException {
+        try {
+            return new String(Files.readAllBytes(file), StandardCharsets.ISO_8859_1).contains("IEND");
+        } catch (NoSuchFileException e) {
+            return false;                                     // not begun yet, or moved just now
+        }
     }
 }
