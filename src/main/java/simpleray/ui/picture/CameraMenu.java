@@ -159,11 +159,12 @@ public final class CameraMenu {
             window.say("Only a film has keys: frames n fps, in the scene's text, makes one");
             return;
         }
-        Pose pose = FreeView.alone(view).camera;
-        if (pose == null) {
+        SceneSettings free = FreeView.alone(view);
+        if (free.camera == null) {
             window.say("A camera of parallel rays can have no keys");
             return;
         }
+        Pose pose = shortest(free).camera;
         ViewLines.Change change = (bytes, path, reach) -> ViewLines.putKey(bytes, path, now.frame(), pose, reach);
         if (edit.isPossible()) {
             edit.make(change, tool::release);
