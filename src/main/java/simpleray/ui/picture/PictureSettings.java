@@ -16,6 +16,7 @@ import simpleray.render.RenderRequest;
 import simpleray.scene.SceneSettings;
 import simpleray.scene.Setting;
 import simpleray.scene.ViewLines;
+import simpleray.ui.file.SceneSource;
 import simpleray.ui.widget.KeyBindings;
 
 /** The size of the picture, its samples and its depth, chosen in the Render menu, and written into the scene on request. */
@@ -60,12 +61,15 @@ public final class PictureSettings {
         menu.add(size);
         menu.add(choices("Samples", KeyEvent.VK_S, Setting.SAMPLES, "1", "2", "3", "4", "8"));
         menu.add(choices("Depth", KeyEvent.VK_D, Setting.DEPTH, "0", "1", "2", "5", "10", "30"));
-        menu.add(KeyBindings.action("As in the Scene", null, () -> set(this::reset)));
-        menu.add(KeyBindings.action("Write into the Scene", null, () -> opener.accept(this::write)));
+        JMenuItem back = menu.add(KeyBindings.action("As in the Scene", null, () -> set(this::reset)));
+        JMenuItem write = menu.add(KeyBindings.action("Write into the Scene", null, () -> opener.accept(this::write)));
         menu.addMenuListener(new MenuListener() {
             @Override
             public void menuSelected(MenuEvent e) {
                 choices.forEach((item, choice) -> item.setSelected(choice.value.equals(now(choice.setting))));
+                boolean chosen = ALL.stream().anyMatch(setting -> setting.isSet(picture.request().settings()));
+                back.setEnabled(chosen);
+                write.setEnabled(chosen && picture.source() != SceneSource.NONE);
             }
 
             @Override
@@ -86,18 +90,27 @@ public final class PictureSettings {
         for (String value : values) {
             String told = setting == Setting.SAMPLES && !value.equals("1") ? value + " \u00D7 " + value + " a pixel"
                 : setting == Setting.SAMPLES ? "1 a pixel" : value.replace("x", " \u00D7 ");
-            JMenuItem item = new JRadioButtonMenuItem(KeyBindings.action(told, null,
-                () -> set(settings -> setting.parse(value, settings))));
+            JMenuItem item = new JRadioButtonMenuItem(KeyBindings.action(told, null, () -> choose(setting, value)));
             choices.put(item, new Choice(setting, value));
             menu.add(item);
         }
         return menu;
     }
 
-    /** {@return a setting's value in the picture that is shown, as the command line has it; null if there is none} */
+    private void choose(Setting<?> setting, String value) {
+        if (!value.equals(now(setting))) {                    // else the picture would be the same
+            set(settings -> setting.parse(value, settings));
+        }
+    }
+
+    /** {@return a setting's value in the picture that is asked for, as the command line has it; null if there is none, or no number} */
     private String now(Setting<?> setting) {
-        SceneSettings all = picture.job() == null ? null : picture.job().snapshot().settings();
-        return all == null ? null : setting == Setting.RESOLUTION
+        SceneSettings known = picture.job() == null ? null : picture.job().snapshot().settings();
+        if (known == null || setting == Setting.SAMPLES && picture.request().adaptive()) {
+            return null;
+        }
+        SceneSettings all = known.under(picture.request().settings());
+        return setting == Setting.RESOLUTION
             ? Setting.RESOLUTION.in(all).width() + "x" + Setting.RESOLUTION.in(all).height() : String.valueOf(setting.in(all));
     }
 
@@ -116,7 +129,7 @@ public final class PictureSettings {
     private void set(Consumer<SceneSettings> change) {
         request(change);
         if (picture.job() != null) {
-            picture.restart();
+            picture.showOrRestart();
         }
     }
 

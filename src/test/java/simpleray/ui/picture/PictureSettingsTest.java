@@ -13,6 +13,8 @@ import javax.swing.JMenuItem;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.io.TempDir;
+import simpleray.render.RenderRequest;
+import simpleray.scene.SceneSettings;
 import simpleray.ui.OpenWindow;
 import simpleray.ui.Screen;
 import simpleray.ui.TestScenes;
@@ -32,7 +34,7 @@ class PictureSettingsTest {
 
     @BeforeEach
     void finishThePicture() {
-        scene = TestScenes.write(folder.resolve("wall.scene"), SCENE + "depth 3   # few\n");
+        scene = TestScenes.write(folder.resolve("wall.scene"), SCENE + "depth 2   # few\n");
         window = new OpenWindow(SceneSource.file(scene), 90, 60);
         window.untilState(RenderJob.State.FINISHED);
     }
@@ -76,10 +78,57 @@ class PictureSettingsTest {
         OpenWindow.run(window.item("As in the Scene")::doClick);
 
         Screen.until("it has the scene's depth", () -> window.job().snapshot().settings() != null
-            && Integer.valueOf(3).equals(window.job().snapshot().settings().depth));
+            && Integer.valueOf(2).equals(window.job().snapshot().settings().depth));
         window.untilState(RenderJob.State.FINISHED);
         assertThat(OpenWindow.ask(() -> window.picture().request().settings().lines())).as("what is asked for beside the scene").isEmpty();
         assertThat(OpenWindow.ask(window.picture()::imageSize)).isNotEqualTo(new Dimension(320, 240));
+    }
+
+    @WindowTest
+    void withNothingChosenThereIsNothingToTakeBackOrToWrite() {
+        OpenWindow.run(() -> {
+            RenderRequest asked = window.picture().request();
+            window.picture().setRequest(asked.with(new SceneSettings()));   // without the test's size
+            window.picture().restart();
+        });
+        window.untilState(RenderJob.State.FINISHED);
+        assertThat(openMenu("As in the Scene")).isFalse();
+        assertThat(openMenu("Write into the Scene")).isFalse();
+        choose("Depth", "0");
+        assertThat(openMenu("As in the Scene")).isTrue();
+        assertThat(openMenu("Write into the Scene")).isTrue();
+    }
+
+    @WindowTest
+    void theSameChoiceAgainRendersNothing() {
+        RenderJob first = window.job();
+        choose("Depth", "2");                                 // the scene's own
+        choose("Samples", "1 a pixel");
+        assertThat(window.job()).isSameAs(first);
+        choose("Depth", "0");
+        Screen.until("another is rendered", () -> window.picture().job() != first);
+        window.untilState(RenderJob.State.FINISHED);
+        RenderJob second = window.job();
+        choose("Depth", "0");
+
+        assertThat(window.job()).isSameAs(second);
+        Object picture = OpenWindow.ask(window.picture()::whole);
+        choose("Depth", "10");
+        Screen.until("a third is rendered", () -> window.picture().job() != second);
+        window.untilState(RenderJob.State.FINISHED);
+        choose("Depth", "0");
+        assertThat(OpenWindow.ask(window.picture()::whole)).as("the picture that was finished before").isSameAs(picture);
+    }
+
+    /** {@return whether an item can be chosen once its menu is open} */
+    private boolean openMenu(String item) {
+        JMenu menu = OpenWindow.ask(() -> window.frame.getJMenuBar().getMenu(RENDER));
+        window.screen.click(menu);
+        Screen.until("the menu is open", menu::isPopupMenuVisible);
+        boolean enabled = window.canDo(item);
+        window.screen.press(KeyEvent.VK_ESCAPE);
+        Screen.until("the menu is closed", () -> !menu.isPopupMenuVisible());
+        return enabled;
     }
 
     private String read() {
