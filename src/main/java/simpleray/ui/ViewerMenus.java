@@ -33,6 +33,7 @@ final class ViewerMenus {
     private final SceneMenu scene;
     private final DesktopActions desktop;
     private final Comparison comparison;
+    private final Inspector inspector;
 
     ViewerMenus(SimpleRay picture, PictureDialogs dialogs, DesktopActions desktop, SceneMenu scene, Inspector inspector,
                 Comparison comparison, CameraMenu camera, TimeLine timeLine, PictureSettings settings,
@@ -41,6 +42,7 @@ final class ViewerMenus {
         this.desktop = desktop;
         this.scene = scene;
         this.comparison = comparison;
+        this.inspector = inspector;
         save = KeyBindings.action("Save Picture As\u2026", "control S", dialogs::save);
         render = KeyBindings.action("Reload", "control R", picture::reload);
         desktop.addKey(render, "F5");
@@ -118,6 +120,7 @@ final class ViewerMenus {
         pause.putValue(Action.SELECTED_KEY, picture.isPaused());
         regionOnly.putValue(Action.SELECTED_KEY, picture.regions().isAlone());
         this.scene.refresh(scene);
+        inspector.refresh(scene);
         comparison.refresh();
         desktop.refresh();
     }

@@ -91,6 +91,24 @@ class ToolBarTest {
         assertThat(OpenWindow.ask(() -> buttons().stream().noneMatch(AbstractButton::isFocusable))).isTrue();
     }
 
+    @WindowTest
+    void withoutASceneNeitherKeyNorButtonOpensAPane() {
+        window.close();
+        window = new OpenWindow(SceneSource.NONE, 90, 60);
+        window.screen.press(KeyEvent.VK_V);
+        window.screen.press(KeyEvent.VK_I);
+        for (String name : List.of("Rays", "Story", "Text")) {
+            assertThat(OpenWindow.ask(button(name)::isEnabled)).as(name).isFalse();
+        }
+        assertThat(OpenWindow.ask(window.viewer().sides()::isOpen)).isFalse();
+        assertThat(window.status()).startsWith("Open a scene file");
+
+        OpenWindow.run(() -> window.open(SceneSource.file(TestScenes.THESIS)));
+        window.untilState(RenderJob.State.FINISHED);
+        window.screen.press(KeyEvent.VK_V);
+        Screen.until("the pane is there", window.viewer().sides()::isOpen);
+    }
+
     private List<AbstractButton> buttons() {
         return OpenWindow.ask(() -> OpenWindow.all(window.frame).filter(c -> c instanceof AbstractButton
             && SwingUtilities.getAncestorOfClass(ToolBar.class, c) != null).map(AbstractButton.class::cast).toList());

@@ -17,6 +17,7 @@ import java.util.concurrent.Future;
 import java.util.function.Consumer;
 import java.util.function.IntConsumer;
 import javax.swing.BorderFactory;
+import javax.swing.Action;
 import javax.swing.JCheckBox;
 import javax.swing.JCheckBoxMenuItem;
 import javax.swing.JComponent;
@@ -65,6 +66,7 @@ public final class Inspector {
     private final Lazy<StoryPane> pane;
     private final Lazy<RaysPane> rays;
     private final JCheckBoxMenuItem raysItem = new JCheckBoxMenuItem(KeyBindings.action("Rays", "V", this::toggleRays));
+    private final Action storyAction = KeyBindings.action("Story of the Pixel", "I", this::openStory);
     private final JCheckBoxMenuItem vectors = new JCheckBoxMenuItem(
         KeyBindings.action("Normals and Halfway Vectors", "shift V", this::showVectors));
     private final JSplitPane panes = new JSplitPane(JSplitPane.VERTICAL_SPLIT);
@@ -212,7 +214,7 @@ public final class Inspector {
     public JMenu menu() {
         JMenu menu = new JMenu("Inspect");
         menu.setMnemonic(KeyEvent.VK_I);
-        menu.add(KeyBindings.action("Story of the Pixel", "I", this::openStory));
+        menu.add(storyAction);
         menu.add(KeyBindings.action("Copy Story", "control shift I", this::copy));
         menu.add(KeyBindings.action("Close Story", "shift I", this::closeStory));
         menu.addSeparator();
@@ -230,6 +232,16 @@ public final class Inspector {
     /** {@return the item that shows the rays of the pixel, or hides them} */
     public JMenuItem raysItem() {
         return raysItem;
+    }
+
+    /**
+     * Enables the items that can be used now.
+     *
+     * @param opened whether there is a scene
+     */
+    public void refresh(boolean opened) {
+        storyAction.setEnabled(opened);
+        raysItem.setEnabled(opened);
     }
 
     /**
