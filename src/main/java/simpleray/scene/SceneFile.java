@@ -137,8 +137,23 @@ public record SceneFile(Scene scene, List<Diagnostic> warnings, SourceText text)
      * @throws IOException if it cannot be read
      */
     public static SceneFile read(InputStream in, Path path, Reach reach, SourceValues values) throws IOException {
-        String name = path == null ? STREAM : path.toString();
-        return read(in, PictureText.LONGEST, name, path == null ? Path.of("") : path.resolveSibling(""), reach, values);
+        return read(in, path == null ? STREAM : path.toString(), path == null ? Path.of("") : path.resolveSibling(""), reach, values);
+    }
+
+    /**
+     * Reads a scene likewise, which people know by another name than its path.
+     *
+     * @param in the text, read to its end and left open
+     * @param name the scene's name, for messages
+     * @param folder the folder in which the files lie that it names
+     * @param reach which OBJ files it may name
+     * @param values gets the values; null for nothing
+     * @return the scene
+     * @throws SceneFormatException if it is no scene
+     * @throws IOException if it cannot be read
+     */
+    public static SceneFile read(InputStream in, String name, Path folder, Reach reach, SourceValues values) throws IOException {
+        return read(in, PictureText.LONGEST, name, folder, reach, values);
     }
 
     /**

@@ -38,8 +38,8 @@ final class ModelScene {
     /** {@return the scene of a model, which is read anew whenever the scene is} */
     static SceneSource of(Path model) {
         String name = model.getFileName().toString();
-        return new UntitledSource(model.resolveSibling(name.substring(0, name.lastIndexOf('.')) + ".scene"),
-            () -> text(model).getBytes(StandardCharsets.UTF_8));
+        Path home = model.resolveSibling(name.substring(0, name.lastIndexOf('.')) + ".scene");
+        return new UntitledSource(home.toString(), home, () -> text(model).getBytes(StandardCharsets.UTF_8));
     }
 
     private static String text(Path model) throws IOException {

@@ -17,6 +17,7 @@ import java.util.stream.Stream;
 public final class Samples {
     private static final String FOLDER = "/simpleray/scenes";
     private static final String FIRST = "thesis.scene";
+    private static final String UNTITLED = "untitled.scene";
     private static final String NEW = "/simpleray/new.scene";
 
     private Samples() {
@@ -35,7 +36,7 @@ public final class Samples {
 
     /** {@return a small scene to begin with, which has no file; its meshes are to lie in the working directory} */
     public static SceneSource template() {
-        return new UntitledSource(Path.of("untitled.scene"), () -> {
+        return new UntitledSource(UNTITLED, Path.of(UNTITLED), () -> {
             try (InputStream in = Samples.class.getResourceAsStream(NEW)) {
                 return in.readAllBytes();
             }
@@ -43,7 +44,7 @@ public final class Samples {
     }
 
     private static SceneSource source(Path file) {
-        return new UntitledSource(file, () -> Files.readAllBytes(file));
+        return new UntitledSource(file.getFileName().toString(), file, () -> Files.readAllBytes(file));
     }
 
     /** Opened once, when it is asked for first, and open until the program ends. */

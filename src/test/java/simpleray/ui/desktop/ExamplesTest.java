@@ -81,6 +81,23 @@ class ExamplesTest {
     }
 
     @WindowTest
+    void problemsOfASampleCallItByItsName() {
+        openHouse();
+        window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_E);
+        JTextArea text = OpenWindow.appears("its text", JTextArea.class, area -> "scene-text".equals(area.getName()) && area.isEnabled());
+        String before = OpenWindow.ask(text::getText);
+        OpenWindow.run(() -> text.setText("1\n4 \"house.obj\" 0 0 0 1  1 1 1  0 0 0  0 0 0  oops\n1 1 1\n0\n"));
+
+        window.untilProblems("oops");
+        assertThat(window.problems().getText()).startsWith("house.scene:2:").doesNotContain("house.obj:");
+        OpenWindow.run(() -> text.setText("1\n0 0 0 9 1  1 1 1  0 0 0  0 0 0  0\n1 1 1\n0\n"));
+        window.untilProblems("house.scene:2:1: warning: ");
+        window.screen.press(KeyEvent.VK_F4);
+        Screen.until("its place is shown", () -> text.isFocusOwner() && text.getCaretPosition() == 2);
+        OpenWindow.run(() -> text.setText(before));           // so that nothing asks whether it is to be saved
+    }
+
+    @WindowTest
     void aSampleIsSavedWithItsMeshes() throws IOException {
         openHouse();
         Path own = folder.resolve("mine.scene");
