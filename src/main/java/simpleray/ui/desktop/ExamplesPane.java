@@ -8,8 +8,11 @@ import java.awt.event.FocusAdapter;
 import java.awt.event.FocusEvent;
 import java.io.File;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import javax.swing.BorderFactory;
@@ -21,6 +24,7 @@ import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.Scrollable;
 import javax.swing.SwingConstants;
+import javax.swing.SwingUtilities;
 import simpleray.ui.file.Samples;
 import simpleray.ui.file.SceneSource;
 
@@ -31,8 +35,12 @@ final class ExamplesPane extends JPanel {
     private static final int RECENT_WIDTH = 220;
     private static final int MAX_RECENT = 30;                 // letters
 
+    private final transient Executor renderer;
+    private final List<JButton> samples = new ArrayList<>();  // in reading order
+    private boolean filling;
+
     /**
-     * Lists the samples; their pictures come as they are rendered, while the pane is on the screen.
+     * Lists the samples; their pictures come as they are rendered, while the pane is on the screen: in reading order, those in sight first.
      *
      * @param renderer renders them, one after another
      * @param open opens the one that is chosen
@@ -40,17 +48,38 @@ final class ExamplesPane extends JPanel {
     ExamplesPane(Executor renderer, Consumer<SceneSource> open) {
         super(new BorderLayout());
         setName("examples");
+        this.renderer = renderer;
         Grid grid = new Grid();
         for (SceneSource sample : Samples.all()) {
             JButton button = button(label(sample), () -> open.accept(sample));
-            button.setIcon(new Thumbnail(sample, renderer));
+            button.setIcon(new Thumbnail(sample));
             button.setHorizontalTextPosition(SwingConstants.CENTER);
             button.setVerticalTextPosition(SwingConstants.BOTTOM);
             grid.add(button);
+            samples.add(button);
         }
         JScrollPane scroll = new JScrollPane(grid, JScrollPane.VERTICAL_SCROLLBAR_AS_NEEDED, JScrollPane.HORIZONTAL_SCROLLBAR_NEVER);
         scroll.setBorder(BorderFactory.createEmptyBorder());
         add(titled("Examples", scroll), BorderLayout.CENTER);
+        addHierarchyListener(e -> SwingUtilities.invokeLater(this::fill));      // once it is laid out
+    }
+
+    /** Renders one picture after another. Which is next is decided when the one before is there: the user may have scrolled meanwhile. */
+    private void fill() {
+        Optional<JButton> next = filling || !isShowing() ? Optional.empty()
+            : samples.stream().filter(sample -> !picture(sample).isAsked())
+                .min(Comparator.comparing(sample -> sample.getVisibleRect().isEmpty()));
+        next.ifPresent(sample -> {
+            filling = true;
+            picture(sample).render(renderer, sample, () -> {
+                filling = false;
+                fill();
+            });
+        });
+    }
+
+    private static Thumbnail picture(JButton sample) {
+        return (Thumbnail) sample.getIcon();
     }
 
     /**

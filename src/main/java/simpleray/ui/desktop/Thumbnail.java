@@ -20,7 +20,7 @@ import simpleray.scene.SceneSettings.Resolution;
 import simpleray.scene.Setting;
 import simpleray.ui.file.SceneSource;
 
-/** A small picture of a scene, rendered when it is first to be seen; a grey one until then. For the event thread. */
+/** A small picture of a scene; a grey one until it is rendered. For the event thread. */
 final class Thumbnail implements Icon {
     /** The room for the picture, in units of the component. */
     static final int WIDTH = 160;
@@ -28,13 +28,11 @@ final class Thumbnail implements Icon {
     static final int HEIGHT = 120;
 
     private final SceneSource source;
-    private final Executor renderer;
     private BufferedImage image;                              // null until it is rendered
     private boolean asked;
 
-    Thumbnail(SceneSource source, Executor renderer) {
+    Thumbnail(SceneSource source) {
         this.source = source;
-        this.renderer = renderer;
     }
 
     @Override
@@ -59,7 +57,6 @@ final class Thumbnail implements Icon {
         if (image == null) {
             canvas.setColor(UIManager.getColor("ProgressBar.background"));
             canvas.fillRect(x, y, WIDTH, HEIGHT);
-            ask(component, scale);
         } else {
             int width = (int) Math.round(image.getWidth() / scale);
             int height = (int) Math.round(image.getHeight() / scale);
@@ -72,18 +69,29 @@ final class Thumbnail implements Icon {
         canvas.dispose();
     }
 
-    private void ask(Component component, double scale) {
-        if (asked) {
-            return;
-        }
+    /** {@return whether it was to be rendered; one that failed stays grey} */
+    boolean isAsked() {
+        return asked;
+    }
+
+    /**
+     * Renders it on another thread.
+     *
+     * @param renderer the thread
+     * @param component where it is shown
+     * @param then called when it is there, or has failed, or is not wanted any more
+     */
+    void render(Executor renderer, Component component, Runnable then) {
         asked = true;
+        double scale = component.getGraphicsConfiguration().getDefaultTransform().getScaleX();
         renderer.execute(() -> {
             boolean wanted = component.isDisplayable();       // else another scene was chosen since
             BufferedImage made = wanted ? render(scale) : null;
             SwingUtilities.invokeLater(() -> {
                 image = made;
-                asked = wanted;                               // one that failed stays grey
+                asked = wanted;
                 component.repaint();
+                then.run();
             });
         });
     }

@@ -3,17 +3,21 @@ package simpleray.ui.desktop;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.Component;
+import java.awt.Rectangle;
 import java.awt.Window;
 import java.awt.event.KeyEvent;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayDeque;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import java.util.Queue;
 import java.util.Set;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import javax.swing.JButton;
 import javax.swing.JDialog;
 import javax.swing.JOptionPane;
@@ -54,6 +58,43 @@ class ExamplesTest {
         assertThat(all.get(0).getText()).isEqualTo("Thesis");
         Screen.until("the first pictures are there", () -> OpenWindow.ask(() -> samples().stream().limit(3)
             .allMatch(button -> ((Thumbnail) button.getIcon()).isRendered())));
+    }
+
+    @WindowTest
+    void thePicturesComeInReadingOrderAndThoseInSightFirst() {
+        Queue<Runnable> tasks = new ArrayDeque<>();
+        window = new OpenWindow(SceneSource.file(TestScenes.plain(folder.resolve("blue.scene"), 0, 0, 1)), SIDE, SIDE);
+        JDialog dialog = OpenWindow.ask(() -> {
+            JDialog made = new JDialog(window.frame);
+            made.add(new ExamplesPane(tasks::add, sample -> { }));
+            made.setSize(760, 420);
+            made.setVisible(true);
+            return made;
+        });
+        for (int i = 0; i < 3; i++) {
+            Screen.until("a picture is asked for", () -> tasks.size() == 1);
+            assertThat(rendered()).isEqualTo(IntStream.range(0, i).boxed().toList());
+            OpenWindow.ask(tasks::remove).run();
+        }
+        Screen.until("another is asked for", () -> tasks.size() == 1);
+        int last = samples().size() - 1;
+        OpenWindow.run(() -> samples().get(last).scrollRectToVisible(new Rectangle(1, Thumbnail.HEIGHT)));
+        OpenWindow.ask(tasks::remove).run();                  // was asked for before that
+        Screen.until("one in sight is asked for", () -> tasks.size() == 1);
+        int first = OpenWindow.ask(() -> IntStream.rangeClosed(0, last)
+            .filter(i -> !samples().get(i).getVisibleRect().isEmpty()).findFirst().orElseThrow());
+        OpenWindow.ask(tasks::remove).run();
+
+        Screen.until("it is there", () -> rendered().size() == 5);
+        assertThat(first).isGreaterThan(4);
+        assertThat(rendered()).isEqualTo(List.of(0, 1, 2, 3, first));
+        OpenWindow.run(dialog::dispose);
+    }
+
+    /** {@return the places of the samples whose pictures are there} */
+    private List<Integer> rendered() {
+        return OpenWindow.ask(() -> IntStream.range(0, samples().size()).filter(i -> ((Thumbnail) samples().get(i).getIcon()).isRendered())
+            .boxed().toList());
     }
 
     @WindowTest
