@@ -96,6 +96,7 @@ final class ViewerFrame extends JFrame implements EditorContext {
         desktop = new DesktopActions(this, preferences, look, this::lookChanged);
         comparison = new Comparison(this);
         camera = new CameraMenu(this, document::text, document::replace);
+        comparison.setTeller(camera::tellGestures);
         pictured.add(timeLine.below(new JScrollPane(picture)), BorderLayout.CENTER);
         pictured.add(camera.line(), BorderLayout.SOUTH);
         pictured.setMinimumSize(new Dimension());

@@ -7,6 +7,7 @@ import java.time.LocalTime;
 import java.time.ZoneId;
 import java.util.List;
 import java.util.concurrent.Executor;
+import java.util.function.Consumer;
 import javax.swing.Action;
 import javax.swing.JCheckBoxMenuItem;
 import javax.swing.JMenu;
@@ -22,6 +23,10 @@ import simpleray.ui.widget.Lazy;
 
 /** Looks at finished pictures: compares the last ones, marks clipped pixels, counts the light. For the event thread. */
 public final class Comparison {
+    private static final List<String> WIPING =
+        List.of("Drag: move the divider", "W: back to the picture", "Left, Right: move it by 1 %", "F1: help");
+    private static final List<String> BESIDE = List.of("B: back to the picture", "F1: help");
+
     private final ViewerContext window;
     private final History history = new History();
     private final Lazy<ComparePane> pane = new Lazy<>(this::newPane);
@@ -33,6 +38,7 @@ public final class Comparison {
     private final JCheckBoxMenuItem histogram = item("Histogram", "H", this::showHistogram);
     private final JCheckBoxMenuItem logarithmic = item("Logarithmic Counts", "L", this::countByLogarithm);
     private final Executor looker;
+    private Consumer<List<String>> teller = gestures -> { };
     private JScrollPane place;                                // where the picture is when it is not compared
     private Picture seen;
     private FinishedRender latest;                            // its levels and light; null until they are evaluated
@@ -49,6 +55,15 @@ public final class Comparison {
         menu.add(beside);
         menu.add(wipe);
         allow();
+    }
+
+    /**
+     * Sets what tells the user what the mouse and keys do.
+     *
+     * @param other gets a few words for each gesture that works while pictures are compared; null when the picture is back
+     */
+    public void setTeller(Consumer<List<String>> other) {
+        teller = other;
     }
 
     private JCheckBoxMenuItem item(String name, String key, Runnable task) {
@@ -153,6 +168,7 @@ public final class Comparison {
             wipe.setSelected(wiped);
         }
         compared.view().setWiped(wipe.isSelected());
+        teller.accept(wipe.isSelected() ? WIPING : beside.isSelected() ? BESIDE : null);
         if (isComparing() && place == null) {
             place = (JScrollPane) SwingUtilities.getAncestorOfClass(JScrollPane.class, window.picture());
             SwingUtilities.updateComponentTreeUI(compared);       // the look may be another since

@@ -6,6 +6,7 @@ import java.awt.datatransfer.StringSelection;
 import java.awt.event.KeyEvent;
 import java.io.IOException;
 import java.nio.file.FileSystemException;
+import java.util.List;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
@@ -33,6 +34,7 @@ public final class CameraMenu {
     private final JMenu menu = new JMenu("Camera");
     private final Executor writer;
     private final TextChange edit;
+    private final CameraLine line;
 
     /**
      * Creates the menu.
@@ -47,6 +49,7 @@ public final class CameraMenu {
         writer = window.workers().finishing("simpleray-view");
         edit = new TextChange(window, text, replacement, writer, TITLE);
         tool = new CameraTool(picture);
+        line = new CameraLine(tool::reset, this::save, this::setKey);
         menu.setMnemonic(KeyEvent.VK_C);
         add("Orbit Left", "LEFT", () -> tool.turn(-STEP, 0));
         add("Orbit Right", "RIGHT", () -> tool.turn(STEP, 0));
@@ -71,9 +74,17 @@ public final class CameraMenu {
 
     /** {@return a line for the picture's foot, which tells how to move the camera, and once it is moved what to do about that} */
     public JComponent line() {
-        CameraLine line = new CameraLine(tool::reset, this::save, this::setKey);
         tool.setListener(() -> line.show(tool.isMoved(), tool.isKnown(), tool.isMoved() && hasKeys()));
         return line;
+    }
+
+    /**
+     * Tells in that line what the mouse and keys do where the picture is.
+     *
+     * @param gestures a few words each, the most useful first, help last; null for those of the picture itself
+     */
+    public void tellGestures(List<String> gestures) {
+        line.setGestures(gestures);
     }
 
     /** {@return the menu} */

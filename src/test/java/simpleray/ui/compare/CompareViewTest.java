@@ -64,6 +64,17 @@ class CompareViewTest {
     }
 
     @WindowTest
+    void theLineAtTheFootTellsWhatWorksWhilePicturesAreCompared() {
+        assertThat(window.label("gestures")).startsWith("Click: why this colour");
+        window.screen.press(KeyEvent.VK_B);
+        Screen.until("it says how to go back", () -> window.label("gestures").equals("B: back to the picture   F1: help"));
+        window.screen.press(KeyEvent.VK_W);
+        Screen.until("it tells of the divider", () -> window.label("gestures").startsWith("Drag: move the divider   W: back to"));
+        window.screen.press(KeyEvent.VK_W);
+        Screen.until("it tells the picture's again", () -> window.label("gestures").startsWith("Click: why this colour"));
+    }
+
+    @WindowTest
     void theDividerIsMovedByKeys() throws IOException {
         window.screen.press(KeyEvent.VK_W);
         untilWiped(0.5);

@@ -9,7 +9,9 @@ import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.awt.image.BufferedImage;
 import java.nio.file.Path;
+import java.util.List;
 import javax.swing.JButton;
+import javax.swing.JLabel;
 import javax.swing.JTree;
 import org.assertj.core.data.Offset;
 import org.junit.jupiter.api.AfterEach;
@@ -180,6 +182,22 @@ class CameraToolTest {
         Screen.until("it is back", () -> pose() == null && !home.isShowing());
         assertThat(window.label("gestures")).isBlank();
         window.untilState(RenderJob.State.FINISHED);
+    }
+
+    @WindowTest
+    void inANarrowPaneTheLineHasWholeGesturesAndATipWithAll() {
+        String all = window.label("gestures");
+        JLabel line = OpenWindow.appears("the line", JLabel.class, label -> "gestures".equals(label.getName()));
+        assertThat(OpenWindow.ask(() -> line.getToolTipText())).isNull();
+        OpenWindow.run(() -> window.frame.setSize(340, 500));
+        Screen.until("it is shorter", () -> line.getText().length() < all.length());
+
+        List<String> gestures = List.of(all.split(" {3}"));
+        assertThat(window.label("gestures").split(" {3}")).hasSizeGreaterThan(1).isSubsetOf(gestures).endsWith("F1: help");
+        assertThat(OpenWindow.ask(() -> line.getToolTipText())).isEqualTo(all);
+        assertThat(OpenWindow.ask(() -> line.getX() + line.getPreferredSize().width <= line.getParent().getWidth())).isTrue();
+        OpenWindow.run(() -> window.frame.setSize(900, 500));
+        Screen.until("all are told again", () -> line.getText().equals(all) && line.getToolTipText() == null);
     }
 
     @WindowTest
