@@ -1,16 +1,13 @@
 package simpleray.ui;
 
-import java.awt.BorderLayout;
 import java.util.Arrays;
 import java.util.List;
 import javax.swing.AbstractButton;
 import javax.swing.BorderFactory;
 import javax.swing.JButton;
 import javax.swing.JCheckBoxMenuItem;
-import javax.swing.JComponent;
 import javax.swing.JMenuBar;
 import javax.swing.JMenuItem;
-import javax.swing.JPanel;
 import javax.swing.JRadioButtonMenuItem;
 import javax.swing.JToggleButton;
 import javax.swing.JToolBar;
@@ -39,14 +36,6 @@ final class ToolBar extends JToolBar {
                 add(button(item(menus, button[0]), button[1]));
             }
         }
-    }
-
-    /** {@return a component with the tools above it} */
-    JPanel above(JComponent other) {
-        JPanel both = new JPanel(new BorderLayout());
-        both.add(this, BorderLayout.NORTH);
-        both.add(other, BorderLayout.CENTER);
-        return both;
     }
 
     private static AbstractButton button(JMenuItem item, String text) {

@@ -9,6 +9,7 @@ import java.awt.event.WindowEvent;
 import java.io.File;
 import javax.swing.BorderFactory;
 import javax.swing.JFrame;
+import javax.swing.JLayeredPane;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JSplitPane;
@@ -54,7 +55,7 @@ final class ViewerFrame extends JFrame implements EditorContext {
     private final transient Workers workers = new Workers();
     private final transient SceneDocument document = new SceneDocument(this);
     private final DiagnosticsPane problems = new DiagnosticsPane(document::goTo);
-    private final Banner banner = new Banner();
+    private final Banner banner;
     private final JSplitPane split;
     private int below;                                        // the height of what is below the picture, if there is room
     private final SidePanes sides = new SidePanes();
@@ -109,7 +110,9 @@ final class ViewerFrame extends JFrame implements EditorContext {
         desktop.remember(ToolBar.item(menus.bar(), "Render While Typing"), "typing.renders");
         PixelMenu.install(this, inspector, document, camera);
         ToolBar tools = new ToolBar(menus.bar());
-        add(tools.above(banner), BorderLayout.NORTH);
+        add(tools, BorderLayout.NORTH);
+        banner = new Banner(tools);
+        getLayeredPane().add(banner, JLayeredPane.PALETTE_LAYER);
         split.addComponentListener(new ComponentAdapter() {
             @Override
             public void componentResized(ComponentEvent e) {

@@ -2,12 +2,18 @@ package simpleray.ui;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.awt.Component;
+import java.awt.Rectangle;
 import java.awt.event.KeyEvent;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
+import java.util.List;
+import java.util.concurrent.CountDownLatch;
+import javax.swing.JButton;
+import javax.swing.Timer;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.io.TempDir;
@@ -15,8 +21,10 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import simpleray.render.RenderRequest;
 import simpleray.render.Stage;
+import simpleray.scene.SceneSettings;
 import simpleray.ui.file.SceneSource;
 import simpleray.ui.picture.RenderJob;
+import simpleray.ui.picture.Zoom;
 import simpleray.ui.widget.Banner;
 
 /** A window whose scene is changed, broken and deleted by other programs. */
@@ -130,6 +138,43 @@ class LiveTest {
         TestScenes.plain(scene, 0, 0, 1);
         window.untilShown("the new picture", TestScenes.rendered(scene, SIDE, SIDE));
         Screen.until("the banner is gone", () -> window.banner().message("gone") == null);
+    }
+
+    @WindowTest
+    void aBannerMovesNothingAndRendersNothing() throws IOException {
+        OpenWindow.run(() -> {
+            window.picture().setRequest(window.picture().request().with(new SceneSettings()));   // without a size
+            window.picture().setZoom(new Zoom(true, 1), null);
+            window.picture().restart();
+            window.document().show(() -> { });
+        });
+        Screen.until("the picture has the size of its pane", () -> !window.picture().isBusy() && window.picture().imageSize().height > SIDE
+            && window.picture().placed().scale() == 1 && window.document().text() != null);
+        RenderJob before = window.job();
+        List<Rectangle> places = places();
+        Files.delete(scene);
+        Banner banner = OpenWindow.appears("the banner", Banner.class, b -> b.message("gone") != null);
+        CountDownLatch settled = new CountDownLatch(1);
+        OpenWindow.run(() -> {
+            Timer later = new Timer(600, e -> settled.countDown());   // longer than a resized picture waits
+            later.setRepeats(false);
+            later.start();
+        });
+        Screen.until("a resized picture would be rendered by now", () -> settled.getCount() == 0);
+
+        assertThat(places()).isEqualTo(places);
+        assertThat(window.job()).isSameAs(before);
+        Rectangle tools = OpenWindow.ask(() -> window.frame.getContentPane().getComponent(0).getBounds());
+        assertThat(OpenWindow.ask(banner::getHeight)).as("it lies over the tools alone").isLessThanOrEqualTo(tools.height);
+        window.screen.click(OpenWindow.appears("a button", JButton.class, button -> "Hide".equals(button.getText())));
+        Screen.until("it is hidden", () -> !banner.isShowing());
+        assertThat(places()).isEqualTo(places);
+    }
+
+    /** {@return where the window's parts are on the screen} */
+    private List<Rectangle> places() {
+        return OpenWindow.ask(() -> OpenWindow.all(window.frame.getContentPane()).filter(Component::isShowing)
+            .map(part -> new Rectangle(part.getLocationOnScreen(), part.getSize())).toList());
     }
 
     @WindowTest

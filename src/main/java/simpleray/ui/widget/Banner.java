@@ -2,7 +2,11 @@ package simpleray.ui.widget;
 
 import java.awt.BorderLayout;
 import java.awt.Color;
+import java.awt.Dimension;
 import java.awt.FlowLayout;
+import java.awt.Rectangle;
+import java.awt.event.ComponentAdapter;
+import java.awt.event.ComponentEvent;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import javax.accessibility.AccessibleContext;
@@ -11,19 +15,55 @@ import javax.swing.Action;
 import javax.swing.BorderFactory;
 import javax.swing.BoxLayout;
 import javax.swing.JButton;
+import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
+import javax.swing.SwingUtilities;
 
-/** Notices across the top of a window that stay until their reason is over, each perhaps with buttons. */
+/**
+ * Notices at the top of a window that stay until their reason is over, each with buttons. They lie over the right end of another component,
+ * so that nothing moves when one comes or goes.
+ */
 public final class Banner extends JPanel {
     private static final long serialVersionUID = 1L;
 
     private final Map<String, Notice> notices = new LinkedHashMap<>();
+    private final JComponent under;
 
-    /** Creates a banner without a notice. */
-    public Banner() {
+    /**
+     * Creates a banner without a notice.
+     *
+     * @param under what it lies over
+     */
+    public Banner(JComponent under) {
+        this.under = under;
         setLayout(new BoxLayout(this, BoxLayout.Y_AXIS));
         setName("banner");
+        setVisible(false);
+        under.addComponentListener(new ComponentAdapter() {
+            @Override
+            public void componentResized(ComponentEvent e) {
+                place();
+            }
+
+            @Override
+            public void componentMoved(ComponentEvent e) {
+                place();
+            }
+        });
+    }
+
+    /** Takes the room of what is under it, from the right as far as the notices need, and more below if there are several. */
+    private void place() {
+        setVisible(!notices.isEmpty());
+        if (isVisible() && getParent() != null) {
+            Rectangle room = SwingUtilities.convertRectangle(under.getParent(), under.getBounds(), getParent());
+            Dimension wanted = getPreferredSize();
+            int width = Math.min(room.width, wanted.width);
+            setBounds(room.x + room.width - width, room.y, width, Math.max(room.height, wanted.height));
+            revalidate();
+            repaint();
+        }
     }
 
     /**
@@ -31,7 +71,7 @@ public final class Banner extends JPanel {
      *
      * @param about what it is about
      * @param message what it says
-     * @param actions what can be done, each a button; their mnemonics work
+     * @param actions what can be done, each a button; their mnemonics work; without any, the notice can be hidden
      */
     public void show(String about, String message, Action... actions) {
         Notice shown = notices.get(about);
@@ -39,11 +79,11 @@ public final class Banner extends JPanel {
             return;
         }
         hide(about);
-        Notice notice = new Notice(message, actions);
+        Notice notice = new Notice(message,
+            actions.length > 0 ? actions : new Action[] {KeyBindings.action("Hide", null, () -> hide(about))});
         notices.put(about, notice);
         add(notice);
-        revalidate();
-        repaint();
+        place();
     }
 
     /**
@@ -55,8 +95,7 @@ public final class Banner extends JPanel {
         Notice notice = notices.remove(about);
         if (notice != null) {
             remove(notice);
-            revalidate();
-            repaint();
+            place();
         }
     }
 
@@ -82,16 +121,15 @@ public final class Banner extends JPanel {
             super(new BorderLayout(12, 0));
             message = new JLabel(text, new WarningIcon(), JLabel.LEADING);
             message.setName("notice");
-            setBorder(BorderFactory.createEmptyBorder(4, 10, 4, 10));
+            message.setToolTipText(text);                     // a narrow window cuts it
+            setBorder(BorderFactory.createEmptyBorder(1, 10, 1, 10));
             add(message, BorderLayout.CENTER);
             JPanel buttons = new JPanel(new FlowLayout(FlowLayout.TRAILING, 6, 0));
             buttons.setOpaque(false);
             for (Action action : actions) {
                 buttons.add(new JButton(action));
             }
-            if (actions.length > 0) {
-                add(buttons, BorderLayout.EAST);
-            }
+            add(buttons, BorderLayout.EAST);
         }
 
         @Override
