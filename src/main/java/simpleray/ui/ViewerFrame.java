@@ -162,6 +162,11 @@ final class ViewerFrame extends JFrame implements EditorContext {
         return banner;
     }
 
+    @Override
+    public CameraMenu camera() {
+        return camera;
+    }
+
     Comparison comparison() {
         return comparison;
     }

@@ -1,6 +1,7 @@
 package simpleray.ui.editor;
 
 import simpleray.ui.file.SceneSource;
+import simpleray.ui.picture.CameraMenu;
 import simpleray.ui.picture.SceneReport;
 import simpleray.ui.picture.ViewerContext;
 import simpleray.ui.widget.Banner;
@@ -9,6 +10,9 @@ import simpleray.ui.widget.Banner;
 public interface EditorContext extends ViewerContext {
     /** {@return the notices at the top of the window} */
     Banner banner();
+
+    /** {@return the camera, which may be another than the text's} */
+    CameraMenu camera();
 
     /**
      * Renders the scene as it was found on the disk. If it has errors, they are shown only if it does not change again at once.

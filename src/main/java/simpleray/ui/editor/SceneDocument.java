@@ -1,15 +1,20 @@
 package simpleray.ui.editor;
 
 import java.io.File;
+import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
+import java.util.concurrent.atomic.AtomicBoolean;
 import javax.swing.Action;
 import javax.swing.JComponent;
 import simpleray.io.OutputTarget;
+import simpleray.scene.Reach;
 import simpleray.scene.SceneSettings;
+import simpleray.scene.ViewLines;
 import simpleray.text.Diagnostic;
+import simpleray.text.SceneFormatException;
 import simpleray.text.SourceValue;
 import simpleray.ui.file.MeshCopies;
 import simpleray.ui.file.MeshNames;
@@ -438,7 +443,10 @@ public final class SceneDocument {
         });
     }
 
-    /** Asks where to write the text, takes the files that it names along, and goes on with the file that is written. */
+    /**
+     * Asks where to write the text, takes the view on the screen and the files that it names along, and goes on with the file that is
+     * written.
+     */
     void saveAs() {
         make();
         if (saved == null) {
@@ -456,7 +464,7 @@ public final class SceneDocument {
         }
         RenderJob job = window.picture().job();
         if (source.path() != null && OutputTarget.isSame(path, source.path())) {
-            save(then);
+            save(window.camera().unsaved() == null ? then : window.camera()::save);
             return;
         }
         if (job != null && job.reads(path)) {
@@ -466,20 +474,39 @@ public final class SceneDocument {
         String text = editor.text();
         SceneText before = saved;
         SceneSource asked = source;
+        boolean other = window.camera().isOther();
+        ViewLines.Change view = window.camera().unsaved();
+        AtomicBoolean seen = new AtomicBoolean();             // the view is in the file
         disk.write(path, true, null, () -> {
-            byte[] written = before.bytes(text);
-            MeshCopies.copy(written, home, path);
-            return written;
+            byte[] own = before.bytes(text);
+            byte[] written = view == null ? own : withView(own, view, home, asked.reach());
+            seen.set(view != null && written != null);
+            MeshCopies.copy(seen.get() ? written : own, home, path);
+            return seen.get() ? written : own;
         }, () -> { }, answer -> {
             if (answer.failure() != null) {
                 SceneDialogs.failed(window.frame(), path, answer.failure());
             } else if (source == asked) {
                 changed = false;
+                if (seen.get()) {
+                    window.camera().release();
+                }
                 window.open(SceneSource.file(path, source.reach()));
-                window.say("Saved " + path + answer.note());
+                window.say("Saved " + path + (seen.get() ? " with the view on the screen" : !other ? ""
+                    : view == null ? " without the moved view: its camera has keys" : " without the moved view: the text has errors")
+                    + answer.note());
                 then.run();
             }
         });
+    }
+
+    /** {@return a text with a view in it; null if it is no scene} */
+    private static byte[] withView(byte[] text, ViewLines.Change view, Path home, Reach reach) throws IOException {
+        try {
+            return view.apply(text, home, reach);
+        } catch (SceneFormatException e) {
+            return null;
+        }
     }
 
     /**

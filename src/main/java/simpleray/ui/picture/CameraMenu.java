@@ -133,7 +133,8 @@ public final class CameraMenu {
         return view == null || !view.isFree() ? view : ShortView.of(view, picture.imageSize().width, picture.imageSize().height);
     }
 
-    private void save() {
+    /** Writes the view on the screen into the scene's file, or into its text if that is open. */
+    public void save() {
         SceneSettings view = shortest(tool.view());
         if (view == null) {
             window.say("There is no view to save: no scene was read");
@@ -154,6 +155,22 @@ public final class CameraMenu {
                 SwingUtilities.invokeLater(() -> saved(file, view, failure));
             });
         }
+    }
+
+    /** {@return whether the scene on the screen is seen by another camera than its own} */
+    public boolean isOther() {
+        return tool.isOther();
+    }
+
+    /** {@return what puts the view on the screen into a scene's text; null if the scene has it, or has keys} */
+    public ViewLines.Change unsaved() {
+        SceneSettings view = tool.isOther() && !hasKeys() ? shortest(tool.view()) : null;
+        return view == null ? null : (bytes, path, reach) -> ViewLines.put(bytes, path, view, reach);
+    }
+
+    /** Asks for no camera but the scene's own from the next start on: the view was written into it. */
+    public void release() {
+        tool.release();
     }
 
     private boolean hasKeys() {

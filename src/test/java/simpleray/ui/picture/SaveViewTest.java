@@ -10,6 +10,8 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
 import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JOptionPane;
@@ -22,6 +24,7 @@ import simpleray.scene.Reach;
 import simpleray.scene.SceneFile;
 import simpleray.scene.SceneSettings;
 import simpleray.scene.ViewLines;
+import simpleray.ui.FileDialog;
 import simpleray.ui.OpenWindow;
 import simpleray.ui.Screen;
 import simpleray.ui.TestScenes;
@@ -88,6 +91,72 @@ class SaveViewTest {
         save();
         untilSaved();
         assertThat(text()).isEqualTo(SCENE + "camera 0 0 1.43 0 0 -1 90\r\n");
+    }
+
+    @WindowTest
+    void saveSceneAsTakesTheViewAlongAndLeavesTheFileThatWasOpen() throws IOException {
+        moved();
+        Path other = folder.resolve("other.scene");
+        saveAs(other);
+
+        Screen.until("it is opened", () -> other.equals(window.picture().source().path()) && !window.picture().isBusy());
+        assertThat(text()).isEqualTo(SCENE);
+        assertThat(Files.readString(other)).isEqualTo(SCENE + "camera 0 0 1.7 0 0 -1 90\r\n");
+        window.untilShown("the moved view", TestScenes.rendered(other, 90, 60));
+        assertThat(OpenWindow.ask(() -> window.picture().request().settings().hasCamera())).as("asked for beside the scene").isFalse();
+    }
+
+    @WindowTest
+    void aTextWithErrorsIsSavedWithoutTheView() throws IOException {
+        moved();
+        TestScenes.write(scene, "oops");
+        window.untilProblems("oops");
+        Path other = folder.resolve("other.scene");
+        saveAs(other);
+
+        Screen.until("it is opened", () -> other.equals(window.picture().source().path()));
+        assertThat(Files.readString(other)).isEqualTo("oops");
+    }
+
+    @WindowTest
+    void saveSceneAsOverTheFileThatIsOpenHasTheViewInIt() {
+        moved();
+        OpenWindow.later(window.item("Save Scene As\u2026")::doClick);
+        new FileDialog(window.screen).enter(scene);
+        window.screen.click(OpenWindow.appears("a question", JButton.class, b -> "OK".equals(b.getText())));
+
+        Screen.until("the file has the view", () -> read().equals(SCENE + "camera 0 0 1.7 0 0 -1 90\r\n"));
+        untilSaved();
+    }
+
+    @WindowTest
+    void ofACameraWithKeysTheViewIsNotSavedAndThatIsTold() throws IOException {
+        String film = SCENE + "camera 0 0 2 0 0 0 90\nframes 9 25\nkey 8 camera 0 0 3 0 0 0 90\n";
+        TestScenes.write(scene, film);
+        Screen.until("it is a film", () -> window.picture().seen().snapshot().film().scene().settings.frames != null);
+        moved();
+        List<String> said = new CopyOnWriteArrayList<>();
+        OpenWindow.run(() -> OpenWindow.all(window.frame).filter(c -> "status".equals(c.getName()))
+            .forEach(c -> c.addPropertyChangeListener("text", e -> said.add((String) e.getNewValue()))));
+        Path other = folder.resolve("other.scene");
+        saveAs(other);
+
+        Screen.until("it is opened", () -> other.equals(window.picture().source().path()));
+        assertThat(Files.readString(other)).isEqualTo(film);
+        Screen.until("it is told", () -> said.contains("Saved " + other + " without the moved view: its camera has keys"));
+    }
+
+    private String read() {
+        try {
+            return text();
+        } catch (IOException e) {
+            return "";
+        }
+    }
+
+    private void saveAs(Path path) {
+        window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_ALT, KeyEvent.VK_S);
+        new FileDialog(window.screen).enter(path);
     }
 
     @WindowTest
