@@ -26,6 +26,8 @@ final class StatusBar extends JPanel {
     private final JLabel pixel = new JLabel(" ");
     private final Box right = Box.createHorizontalBox();
     private final JProgressBar bar = new JProgressBar();
+    private transient RenderJob told;                         // whose progress was shown last
+    private boolean said;                                     // a message stands in place of it
 
     StatusBar() {
         super(new BorderLayout(GAP, 0));
@@ -58,8 +60,18 @@ final class StatusBar extends JPanel {
         right.add(other);
     }
 
-    /** Shows a short message in place of the progress. */
+    /** Shows a short message in place of the progress, until another rendering begins or there is something that must be known. */
     void say(String message) {
+        said = true;
+        write(message);
+    }
+
+    /** Lets the progress take the place of a message. */
+    void unsay() {
+        said = false;
+    }
+
+    private void write(String message) {
         text.setText(message);
         text.setToolTipText(message);
     }
@@ -78,7 +90,12 @@ final class StatusBar extends JPanel {
         bar.setVisible(!now.state().ended());
         size.setText(shown.width + " \u00D7 " + shown.height + ", " + job.request().stage());
         String counted = job.runs().traced(now.state() == RenderJob.State.FINISHED) + ", " + Progress.time(now.seconds());
-        say(switch (now.state()) {
+        said = said && job == told && !job.isPaused() && now.state() != RenderJob.State.FAILED && now.state() != RenderJob.State.CANCELLED;
+        told = job;
+        if (said) {
+            return;
+        }
+        write(switch (now.state()) {
             case READING -> "Reading the scene";
             case RENDERING -> job.isPaused() ? "Paused: " + counted : "Rendering: " + counted + ", "
                 + Progress.time(progress == null ? Double.NaN : progress.left(System.nanoTime())) + " left";

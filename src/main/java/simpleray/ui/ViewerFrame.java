@@ -264,6 +264,7 @@ final class ViewerFrame extends JFrame implements EditorContext {
     @Override
     public void showProgress() {
         if (picture.job() != null) {
+            status.unsay();
             status.show(picture.job(), picture.job().snapshot(), picture.imageSize());
         }
     }

@@ -10,8 +10,6 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.List;
-import java.util.concurrent.CopyOnWriteArrayList;
 import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JOptionPane;
@@ -104,6 +102,9 @@ class SaveViewTest {
         assertThat(Files.readString(other)).isEqualTo(SCENE + "camera 0 0 1.7 0 0 -1 90\r\n");
         window.untilShown("the moved view", TestScenes.rendered(other, 90, 60));
         assertThat(OpenWindow.ask(() -> window.picture().request().settings().hasCamera())).as("asked for beside the scene").isFalse();
+        assertThat(window.status()).isEqualTo("Saved " + other + " with the view on the screen");
+        OpenWindow.run(window.item("Reload")::doClick);
+        Screen.until("the next rendering is told of", () -> window.status().startsWith("Finished: "));
     }
 
     @WindowTest
@@ -135,15 +136,12 @@ class SaveViewTest {
         TestScenes.write(scene, film);
         Screen.until("it is a film", () -> window.picture().seen().snapshot().film().scene().settings.frames != null);
         moved();
-        List<String> said = new CopyOnWriteArrayList<>();
-        OpenWindow.run(() -> OpenWindow.all(window.frame).filter(c -> "status".equals(c.getName()))
-            .forEach(c -> c.addPropertyChangeListener("text", e -> said.add((String) e.getNewValue()))));
         Path other = folder.resolve("other.scene");
         saveAs(other);
 
         Screen.until("it is opened", () -> other.equals(window.picture().source().path()));
         assertThat(Files.readString(other)).isEqualTo(film);
-        Screen.until("it is told", () -> said.contains("Saved " + other + " without the moved view: its camera has keys"));
+        Screen.until("it is told", () -> window.status().equals("Saved " + other + " without the moved view: its camera has keys"));
     }
 
     private String read() {
