@@ -75,15 +75,16 @@ final class DrawOptions extends OptionGroup {
         Camera inside = scene.settings.newCamera();
         List<RaySegment> segments = RaySegment.of(story, scene);
         Set<Kind> kinds = vectors.value() ? EnumSet.allOf(Kind.class) : RayDrawing.RAYS;
-        OutsideView view = OutsideView.of(scene, segments.get(0).from(), pose(segments), width, height, Stage.FINAL, SAMPLES);
+        OutsideView view = OutsideView.of(scene, segments.get(0).from(), pose(segments, inside, width, height), width, height, Stage.FINAL, SAMPLES);
         Picture drawing = new RayDrawing(view, inside, segments, kinds).picture(story.x(), story.y());
         drawing.tell(Provenance.ofSheet(request, file, "rays: pixel " + story.x() + ',' + story.y()));
         write(main, quiet, drawing);
     }
 
-    private Pose pose(List<RaySegment> segments) throws CommandException {
+    private Pose pose(List<RaySegment> segments, Camera inside, int width, int height) throws CommandException {
         try {
-            return OutsideView.pose(segments, from.value());
+            return from.value() == null ? OutsideView.pose(segments, inside, width, height)
+                : OutsideView.pose(segments, inside, from.value());
         } catch (IllegalArgumentException e) {
             throw CommandException.usage("--from must be " + e.getMessage());
         }

@@ -39,13 +39,14 @@ final class RayFigures {
         PixelStory story = pixel(request.with(Stage.FINAL).renderer(scene).explainer());
         List<RaySegment> all = RaySegment.of(story, scene);
         List<RaySegment> first = all.stream().filter(segment -> segment.ray() == all.get(0).ray()).toList();
-        OutsideView whole = view(scene, inside, all, OutsideView.pose(all, null));
+        Pose outside = OutsideView.pose(all, inside, inside.width(), inside.height());
+        OutsideView whole = view(scene, inside, all, outside);
         List<Picture> pictures = new ArrayList<>();
         pictures.add(new RayDrawing(whole, inside, first, BASIC).picture(story.x(), story.y()));
         pictures.add(new RayDrawing(whole, inside, all, EnumSet.allOf(Kind.class)).picture(story.x(), story.y()));
         for (boolean specular : new boolean[] {false, true}) {
             List<RaySegment> vectors = RaySegment.lighting(all, specular);
-            Pose pose = vectors == all ? OutsideView.pose(all, null) : OutsideView.across(vectors);
+            Pose pose = vectors == all ? outside : OutsideView.across(vectors);
             OutsideView near = view(scene, inside, all, pose);
             pictures.add(new RayDrawing(near, inside, vectors, EnumSet.allOf(Kind.class)).picture(story.x(), story.y()));
         }

@@ -7,6 +7,7 @@ import simpleray.math.Bounds;
 import simpleray.math.Point;
 import simpleray.math.Vector;
 import simpleray.render.Stage;
+import simpleray.scene.Camera;
 import simpleray.scene.Orbit;
 import simpleray.scene.PerspectiveCamera;
 import simpleray.scene.PerspectiveCamera.Pose;
@@ -21,8 +22,10 @@ public final class OutsideView {
     /** Where the eye is unless it is given: so many degrees to the right and above, seen along the primary ray. */
     private static final double ASIDE = 50;
     private static final double ABOVE = 22;
-    /** The distance of the eye from the middle of the rays, in radii of a sphere round them. */
+    /** The distance of the eye from the vectors at a hit, in lengths of one. */
     private static final double AWAY = 3.4;
+    /** The share of the view's width and height that what is to be seen fills at most. */
+    private static final double FRAMED = 0.88;
     /** The share of the colour that is left, since rays are drawn over it, and the grey that is added. */
     private static final float KEPT = 0.6f;
     private static final float GREY = 24;
@@ -39,29 +42,68 @@ public final class OutsideView {
     }
 
     /**
-     * Returns a camera that sees all rays of a pixel.
+     * Returns a camera aside of the primary ray and above, as near as it can be to see the eye, the image plane and all rays of a pixel; of
+     * what goes on without end, or to a light far away, only the beginning.
      *
      * @param segments the rays
-     * @param eye where it is; null for a place aside and above
+     * @param inside the scene's own camera
+     * @param width the view's width, 1 or more
+     * @param height the view's height, 1 or more
+     * @return the camera
+     */
+    public static Pose pose(List<RaySegment> segments, Camera inside, int width, int height) {
+        Point middle = middle(segments, inside);
+        Vector along = segments.get(0).ray().ray().direction;
+        Pose behind = new Pose(middle.x - along.x, middle.y - along.y, middle.z - along.z, middle.x, middle.y, middle.z, FOV);
+        PerspectiveCamera turned = new PerspectiveCamera(Orbit.of(behind).turned(ASIDE, ABOVE).pose(), width, height);
+        Vector forward = turned.forward();
+        double away = 0;
+        for (Point p : framed(segments, inside)) {
+            Vector v = Vector.subtract(p, middle);
+            for (Vector side : new Vector[] {turned.right(), turned.up()}) {
+                away = Math.max(away, 2 * Math.abs(v.dot(side)) / (side.squarednorm() * FRAMED) - v.dot(forward));
+            }
+        }
+        away = away > 0 ? away : 1;
+        return new Pose(middle.x - away * forward.x, middle.y - away * forward.y, middle.z - away * forward.z,
+            middle.x, middle.y, middle.z, FOV);
+    }
+
+    /**
+     * Returns a camera at a given place.
+     *
+     * @param segments the rays, at whose middle it looks
+     * @param inside the scene's own camera
+     * @param eye where it is
      * @return the camera
      * @throws IllegalArgumentException if the eye is in the middle of the rays
      */
-    public static Pose pose(List<RaySegment> segments, Point eye) {
-        Bounds b = RaySegment.bounds(segments);
-        Point middle = new Point(b.xmin() / 2 + b.xmax() / 2, b.ymin() / 2 + b.ymax() / 2, b.zmin() / 2 + b.zmax() / 2);
-        if (eye != null) {
-            Pose pose = new Pose(eye.x, eye.y, eye.z, middle.x, middle.y, middle.z, FOV);
-            if (pose.fault() != null) {
-                throw new IllegalArgumentException("an eye other than the middle of the rays");
-            }
-            return pose;
+    public static Pose pose(List<RaySegment> segments, Camera inside, Point eye) {
+        Point middle = middle(segments, inside);
+        Pose pose = new Pose(eye.x, eye.y, eye.z, middle.x, middle.y, middle.z, FOV);
+        if (pose.fault() != null) {
+            throw new IllegalArgumentException("an eye other than the middle of the rays");
         }
-        double radius = Math.hypot(Math.hypot(b.xmax() - b.xmin(), b.ymax() - b.ymin()), b.zmax() - b.zmin()) / 2;
-        double away = AWAY * (radius > 0 ? radius : 1);
-        Vector along = segments.get(0).ray().ray().direction;
-        Pose behind = new Pose(middle.x - away * along.x, middle.y - away * along.y, middle.z - away * along.z,
-            middle.x, middle.y, middle.z, FOV);
-        return Orbit.of(behind).turned(ASIDE, ABOVE).pose();
+        return pose;
+    }
+
+    private static Point middle(List<RaySegment> segments, Camera inside) {
+        List<Point> points = framed(segments, inside);
+        Bounds b = Bounds.of(points.get(0), points.toArray(new Point[0]));
+        return new Point(b.xmin() / 2 + b.xmax() / 2, b.ymin() / 2 + b.ymax() / 2, b.zmin() / 2 + b.zmax() / 2);
+    }
+
+    /** {@return what is to be seen: the ends of the rays and the corners of the image plane} */
+    static List<Point> framed(List<RaySegment> segments, Camera inside) {
+        List<Point> points = RaySegment.framed(segments);
+        double away = RayDrawing.planeDistance(segments.get(0));
+        for (double x : new double[] {0, inside.width()}) {
+            for (double y : new double[] {0, inside.height()}) {
+                points.add(RayDrawing.onPlane(inside, x, y, away));
+                points.add(inside.through(x, y).origin);      // the eye, or a corner of the plane in which parallel rays start
+            }
+        }
+        return points;
     }
 
     /**

@@ -183,17 +183,48 @@ public final class RayDrawing {
         Kind kind = segment.kind();
         Color colour = COLOURS.get(kind);
         float width = selected ? SELECTED : kind.isVector() || kind == Kind.ARRIVING || kind == Kind.STOPPED ? THIN : WIDTH;
-        double[] ends = ends(segment.from(), segment.to());
+        double[] whole = ends(segment.from(), segment.to());
+        double[] ends = inside(whole);
         if (ends == null) {
             return;
         }
         paintLine(g, ends, colour, width, DASHES.get(kind));
         g.setColor(colour);
-        if (kind == Kind.STOPPED) {
-            paintCross(g, ends[3], ends[4]);
-        } else {
+        if (kind != Kind.STOPPED) {
             paintHead(g, ends);
+        } else if (ends[3] == whole[3] && ends[4] == whole[4]) {
+            paintCross(g, ends[3], ends[4]);
         }
+    }
+
+    /** {@return the part of a line that lies in the view; null if none does} What goes on has its arrowhead where it leaves the view. */
+    double[] inside(double[] ends) {
+        double begin = 0;
+        double end = 1;
+        for (int axis = 0; ends != null && axis < 2; axis++) {
+            double from = ends[axis];
+            double way = ends[3 + axis] - from;
+            double size = axis == 0 ? view.camera.width() : view.camera.height();
+            if (way != 0) {
+                begin = Math.max(begin, (way > 0 ? -from : size - from) / way);
+                end = Math.min(end, (way > 0 ? size - from : -from) / way);
+            } else if (from < 0 || from > size) {
+                return null;
+            }
+        }
+        if (ends == null || begin >= end) {
+            return null;
+        }
+        double[] first = at(ends, begin);
+        double[] last = at(ends, end);
+        return new double[] {first[0], first[1], first[2], last[0], last[1], last[2]};
+    }
+
+    /** {@return column, row and depth of a point of a line, so far along it on the screen} */
+    private static double[] at(double[] ends, double share) {
+        double rest = 1 - share;
+        return new double[] {rest * ends[0] + share * ends[3], rest * ends[1] + share * ends[4],
+            1 / (rest / ends[2] + share / ends[5])};          // on the screen 1/z changes evenly
     }
 
     /** Paints a line whose parts behind surfaces are dashed. */
@@ -224,12 +255,10 @@ public final class RayDrawing {
 
     /** {@return whether a surface lies before a part of a line, so far along it on the screen} */
     boolean isHidden(double[] ends, double share) {
-        double x = ends[0] + share * (ends[3] - ends[0]);
-        double y = ends[1] + share * (ends[4] - ends[1]);
-        double z = 1 / ((1 - share) / ends[2] + share / ends[5]);     // on the screen 1/z changes evenly
-        double across = (x / view.camera.width() - 0.5) * right.norm();
-        double high = (0.5 - y / view.camera.height()) * up.norm();
-        return view.distance(x, y) < z * Math.sqrt(1 + across * across + high * high) * (1 - TOLERANCE);
+        double[] at = at(ends, share);
+        double across = (at[0] / view.camera.width() - 0.5) * right.norm();
+        double high = (0.5 - at[1] / view.camera.height()) * up.norm();
+        return view.distance(at[0], at[1]) < at[2] * Math.sqrt(1 + across * across + high * high) * (1 - TOLERANCE);
     }
 
     private static void paintHead(Graphics2D g, double[] ends) {
@@ -257,7 +286,7 @@ public final class RayDrawing {
         }
         int w = inside.width();
         int h = inside.height();
-        double away = PLANE * Vector.subtract(primary.from(), primary.to()).norm();
+        double away = planeDistance(primary);
         int across = Math.min(w, MAX_CELLS);
         int down = Math.min(h, Math.max(1, (int) Math.round((double) MAX_CELLS * h / w)));
         for (int i = 0; i <= across; i++) {
@@ -307,12 +336,21 @@ public final class RayDrawing {
         }
     }
 
-    /** {@return the point of the image plane that a point of the picture shows} */
     private Point onPlane(double x, double y, double away) {
+        return onPlane(inside, x, y, away);
+    }
+
+    /** {@return the point of the image plane that a point of the picture shows} */
+    static Point onPlane(Camera inside, double x, double y, double away) {
         Ray middle = inside.through(inside.width() / 2.0, inside.height() / 2.0);
         Ray ray = inside.through(x, y);
         Vector apart = Vector.subtract(ray.origin, middle.origin);
         return ray.getPointAt((away - apart.dot(middle.direction)) / ray.direction.dot(middle.direction));
+    }
+
+    /** {@return how far from the eye the image plane is drawn} */
+    static double planeDistance(RaySegment primary) {
+        return PLANE * Vector.subtract(primary.from(), primary.to()).norm();
     }
 
     private void paintLegend(Graphics2D g) {

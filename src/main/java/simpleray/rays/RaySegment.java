@@ -2,7 +2,6 @@ package simpleray.rays;
 
 import java.util.ArrayList;
 import java.util.List;
-import simpleray.math.Bounds;
 import simpleray.math.Point;
 import simpleray.math.Ray;
 import simpleray.math.Vector;
@@ -63,8 +62,10 @@ public record RaySegment(Kind kind, Point from, Point to, boolean endless, RayTr
     /** The most points of an area light whose shadow rays are all drawn; of more points, those of a grid. */
     private static final int FAN = 9;
     private static final int FAN_SIDE = 3;
-    /** How far from the first hit the eye outside is to see, in lengths of the primary ray. */
-    private static final double REACH = 1.6;
+    /** How far from the first hit the eye outside is to see lights, in lengths of the primary ray. */
+    private static final double REACH = 3;
+    /** How far it is to see hits: with those of a mirror ray along a floor to the horizon, all others would be a dot. */
+    private static final double MAX_REACH = 10;
     /** The length of vectors, likewise. */
     private static final double VECTOR = 0.12;
 
@@ -93,16 +94,23 @@ public record RaySegment(Kind kind, Point from, Point to, boolean endless, RayTr
         return of(story.samples().get(story.samples().size() / 2).tree(), scene);
     }
 
-    /** {@return the box of the primary ray and of all ends of rays that are not much farther from its hit than the eye is} */
-    static Bounds bounds(List<RaySegment> segments) {
+    /**
+     * {@return the ends that an eye outside is to see} They are those of the primary ray and of all others, but of a ray to a light far away,
+     * as of one without end, the first piece of it: as an arrow it tells where the light is. So it is with hits that are very far.
+     */
+    static List<Point> framed(List<RaySegment> segments) {
         RaySegment first = segments.get(0);
-        double reach = REACH * Vector.subtract(first.to, first.from).norm();
-        Bounds bounds = Bounds.of(first.from, first.to);
+        double length = Vector.subtract(first.to, first.from).norm();
+        List<Point> points = new ArrayList<>(List.of(first.from, first.to));
         for (RaySegment segment : segments) {
-            boolean near = !segment.endless && !segment.kind.isVector() && Vector.subtract(segment.to, first.to).norm() <= reach;
-            bounds = near ? bounds.with(Bounds.of(segment.to)) : bounds;
+            if (!segment.kind.isVector() && Vector.subtract(segment.from, first.to).norm() <= MAX_REACH * length) {
+                Vector whole = Vector.subtract(segment.to, segment.from);
+                double reach = segment.kind == Kind.ARRIVING ? REACH : MAX_REACH;
+                boolean near = Vector.subtract(segment.to, first.to).norm() <= reach * length;
+                points.add(near ? segment.to : Point.add(segment.from, Vector.scale(whole, Math.min(1, FAR * length / whole.norm()))));
+            }
         }
-        return bounds;
+        return points;
     }
 
     /** {@return the distance of a point from the origin, round which the scene is if the ray hits nothing of it; 1 if it is there} */

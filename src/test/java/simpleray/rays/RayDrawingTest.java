@@ -8,16 +8,21 @@ import java.awt.image.BufferedImage;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.concurrent.CancellationException;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import simpleray.image.Picture;
 import simpleray.math.Point;
 import simpleray.rays.RaySegment.Kind;
 import simpleray.render.RenderRequest;
 import simpleray.render.Stage;
+import simpleray.scene.Camera;
 import simpleray.scene.PerspectiveCamera.Pose;
 import simpleray.scene.Scene;
 import simpleray.scene.SceneSettings;
@@ -40,18 +45,37 @@ class RayDrawingTest {
         1
         0  1 1 1  3 3 2
         """;
+    private static final String LIT = """
+        1
+        0  0 0 -5  1   0.1 0.1 0.1  0.5 0.5 0.5  0.5 0.5 0.5  10
+        0.1 0.1 0.1
+        1
+        0  1 1 1  0 %s 2
+        """;
     private Scene scene;
     private List<RaySegment> segments;
 
     @BeforeEach
     void tell() throws IOException {
+        tell(SCENE, 100, 100);
+    }
+
+    private void tell(String text, int x, int y) throws IOException {
         scene = new Scene();
-        scene.read(new SceneReader(new ByteArrayInputStream(SCENE.getBytes(StandardCharsets.UTF_8))));
-        segments = RaySegment.of(new RenderRequest().renderer(scene).explainer().story(100, 100), scene);
+        scene.read(new SceneReader(new ByteArrayInputStream(text.getBytes(StandardCharsets.UTF_8))));
+        segments = RaySegment.of(new RenderRequest().renderer(scene).explainer().story(x, y), scene);
     }
 
     private OutsideView view(Point eye) {
-        return OutsideView.of(scene, segments.get(0).from(), OutsideView.pose(segments, eye), WIDTH, HEIGHT, Stage.LIGHTING, 1);
+        return OutsideView.of(scene, segments.get(0).from(), eye == null ? home(WIDTH, HEIGHT) : pose(eye), WIDTH, HEIGHT, Stage.LIGHTING, 1);
+    }
+
+    private Pose pose(Point eye) {
+        return OutsideView.pose(segments, scene.settings.newCamera(), eye);
+    }
+
+    private Pose home(int width, int height) {
+        return OutsideView.pose(segments, scene.settings.newCamera(), width, height);
     }
 
     private RayDrawing drawing(OutsideView view) {
@@ -110,28 +134,82 @@ class RayDrawingTest {
 
     @Test
     void theEyeOutsideLooksAtTheMiddleOfTheRays() {
-        Pose pose = OutsideView.pose(segments, new Point(20, 5, 9));
+        Pose pose = pose(new Point(20, 5, 9));
 
         assertThat(new double[] {pose.ex(), pose.ey(), pose.ez()}).containsExactly(20, 5, 9);
-        assertThatThrownBy(() -> OutsideView.pose(segments, new Point(pose.lx(), pose.ly(), pose.lz())))
+        assertThatThrownBy(() -> pose(new Point(pose.lx(), pose.ly(), pose.lz())))
             .isInstanceOf(IllegalArgumentException.class).hasMessage("an eye other than the middle of the rays");
     }
 
-    @Test
-    void withoutAnEyeTheWholePrimaryRayIsInThePicture() {
-        RayDrawing drawing = drawing(view(null));
-        double[] ends = drawing.ends(segments.get(0).from(), segments.get(0).to());
+    @ParameterizedTest
+    @CsvSource({"400, 300", "90, 600", "900, 60"})
+    void withoutAnEyeAllRaysAndTheImagePlaneAreInAPictureOfAnyShapeAndFillIt(int width, int height) {
+        OutsideView view = OutsideView.of(scene, segments.get(0).from(), home(width, height), width, height, Stage.LIGHTING, 1);
+        Camera inside = scene.settings.newCamera();
+        List<Point> ends = new ArrayList<>(List.of(inside.eye(), onPlane(inside, 0, 0), onPlane(inside, inside.width(), inside.height())));
+        segments.stream().filter(segment -> !segment.kind().isVector()).forEach(segment -> ends.add(segment.to()));
+        double most = 0;
+        for (Point end : ends) {
+            double[] at = drawing(view).ends(end, end);
+            most = Math.max(most, Math.max(Math.abs(2 * at[0] / width - 1), Math.abs(2 * at[1] / height - 1)));
+        }
+        assertThat(most).isBetween(0.85, 0.88 + 1e-9);
+    }
 
-        assertThat(ends[0]).isBetween(0.0, (double) WIDTH);
-        assertThat(ends[1]).isBetween(0.0, (double) HEIGHT);
-        assertThat(ends[3]).isBetween(0.0, (double) WIDTH);
-        assertThat(ends[4]).isBetween(0.0, (double) HEIGHT);
+    private Point onPlane(Camera inside, double x, double y) {
+        return RayDrawing.onPlane(inside, x, y, RayDrawing.planeDistance(segments.get(0)));
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {100, 1e6})
+    void aLightFarAwayIsAnArrowTowardsIt(double height) throws IOException {
+        tell(LIT.formatted(height), 100, 90);
+        RayDrawing drawing = drawing(view(null));
+        RaySegment arriving = segments.stream().filter(segment -> segment.kind() == Kind.ARRIVING).findFirst().orElseThrow();
+        double[] whole = drawing.ends(arriving.from(), arriving.to());
+        double[] arrow = drawing.inside(whole);
+
+        assertThat(whole[4]).isNegative();
+        assertThat(arrow[4]).isCloseTo(0, within(1e-6));
+        assertThat(arrow[1] - arrow[4]).isGreaterThan(HEIGHT / 4.0);
+        double[] eye = drawing.ends(new Point(0, 0, 0), arriving.from());
+        assertThat(Math.hypot(eye[3] - eye[0], eye[4] - eye[1])).isGreaterThan(HEIGHT / 4.0);
+    }
+
+    @Test
+    void aHitAtTheHorizonLeavesTheOthersTheirPlace() throws IOException {
+        tell("""
+            2
+            0  0 0 -5  1       0.1 0.1 0.1  0.5 0.5 0.5  0.5 0.5 0.5  10
+            0  0 1e7 -5  9e6   0.1 0.1 0.1  0.5 0.5 0.5  0 0 0  10
+            0.1 0.1 0.1
+            0
+            """, 100, 90);
+        RaySegment mirror = segments.stream().filter(segment -> segment.kind() == Kind.MIRROR).findFirst().orElseThrow();
+        assertThat(mirror.endless()).isFalse();
+        assertThat(mirror.to().y).isGreaterThan(1e6);
+        RayDrawing drawing = drawing(view(null));
+        double[] eye = drawing.ends(segments.get(0).from(), segments.get(0).to());
+
+        assertThat(Math.hypot(eye[3] - eye[0], eye[4] - eye[1])).isGreaterThan(HEIGHT / 4.0);
+    }
+
+    @Test
+    void ofALineThatLeavesTheViewTheRestIsCutWhereItDoes() {
+        RayDrawing drawing = drawing(view(null));
+
+        assertThat(drawing.inside(new double[] {200, 150, 1, 600, 150, 3})).containsExactly(200, 150, 1, 400, 150, 1.5);
+        assertThat(drawing.inside(new double[] {-100, 150, 1, 100, 50, 1})).containsExactly(0, 100, 1, 100, 50, 1);
+        assertThat(drawing.inside(new double[] {10, 20, 1, 30, 40, 2})).containsExactly(10, 20, 1, 30, 40, 2);
+        assertThat(drawing.inside(new double[] {-1, 20, 1, -1, 40, 2})).isNull();
+        assertThat(drawing.inside(new double[] {-100, 20, 1, -1, 40, 2})).isNull();
+        assertThat(drawing.inside(null)).isNull();
     }
 
     @Test
     void theMiddleOfTheViewIsWhereTheEyeLooks() {
         OutsideView view = view(new Point(0, 20, 0));
-        Pose pose = OutsideView.pose(segments, new Point(0, 20, 0));
+        Pose pose = pose(new Point(0, 20, 0));
         Point middle = new Point(pose.lx(), pose.ly(), pose.lz());
         double[] ends = drawing(view).ends(middle, new Point(pose.lx(), pose.ly(), pose.lz() + 1e-9));
 

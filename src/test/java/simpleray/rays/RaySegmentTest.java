@@ -14,9 +14,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import simpleray.Sample;
-import simpleray.math.Bounds;
 import simpleray.math.Point;
 import simpleray.math.Ray;
+import simpleray.math.Vector;
 import simpleray.rays.RaySegment.Kind;
 import simpleray.render.Explainer;
 import simpleray.render.PixelStory;
@@ -96,13 +96,18 @@ class RaySegmentTest {
     }
 
     @Test
-    void farEndsDoNotCountInTheBounds() throws IOException {
-        Bounds near = RaySegment.bounds(segments(scene("1\n0  1 1 1  0 3 0"), 100, 100));
-        Bounds far = RaySegment.bounds(segments(scene("1\n0  1 1 1  0 300 0"), 100, 100));
+    void ofALightThatIsFarAwayOnlyTheWayThereIsFramed() throws IOException {
+        List<Point> near = RaySegment.framed(segments(scene("1\n0  1 1 1  0 3 0"), 100, 90));
+        List<RaySegment> all = segments(scene("1\n0  1 1 1  0 300 0"), 100, 90);
+        List<Point> far = RaySegment.framed(all);
+        Point hit = all.get(0).to();
+        double length = Vector.subtract(hit, all.get(0).from()).norm();
+        Vector way = Vector.subtract(new Point(0, 300, 0), hit);
+        Point arrow = Point.add(hit, Vector.scale(way, 0.75 * length / way.norm()));
 
-        assertThat(near.ymax()).isEqualTo(3, within(1e-9));
-        assertThat(far.ymax()).isLessThan(1);
-        assertThat(far.zmax()).as("the eye").isEqualTo(2);
+        assertThat(near).anySatisfy(point -> assertThat(point.y).isEqualTo(3, within(1e-9)));
+        assertThat(far).contains(all.get(0).from(), hit).allSatisfy(point -> assertThat(point.y).isLessThan(length));
+        assertThat(far).anySatisfy(point -> assertThat(Vector.subtract(point, arrow).norm()).isLessThan(1e-9));
     }
 
     @ParameterizedTest

@@ -165,7 +165,8 @@ final class RaysView extends DrawnComponent {
 
     /** {@return where the eye is; null before there are rays} */
     Pose pose() {
-        return rays == null ? null : orbit == null ? OutsideView.pose(rays.segments, null) : orbit.pose();
+        return rays == null ? null : orbit != null ? orbit.pose()
+            : OutsideView.pose(rays.segments, rays.camera, Math.max(1, getWidth()), Math.max(1, getHeight()));
     }
 
     /** {@return what is on the screen; null before anything is} */
@@ -240,7 +241,8 @@ final class RaysView extends DrawnComponent {
                 PixelStory story = new Renderer(scene, camera, new RenderSettings()).explainer()
                     .story(camera.width() / 2, camera.height() / 2, true);
                 List<RaySegment> all = RaySegment.of(story, scene);
-                Place place = new Place(scene, all.get(0).from(), OutsideView.pose(all, null), REHEARSED, 1);
+                Place place = new Place(scene, all.get(0).from(),
+                    OutsideView.pose(all, camera, REHEARSED.width, REHEARSED.height), REHEARSED, 1);
                 Rays drawn = new Rays(scene, camera, story.x(), story.y(), all);
                 Order order = new Order(place, drawn, RayDrawing.RAYS, all.size(), null, false);
                 paint(order, draw(order));

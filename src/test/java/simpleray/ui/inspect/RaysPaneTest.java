@@ -13,7 +13,9 @@ import java.awt.event.KeyEvent;
 import java.util.List;
 import javax.swing.JButton;
 import javax.swing.JLabel;
+import javax.swing.JSplitPane;
 import javax.swing.JTree;
+import simpleray.rays.RayDrawing;
 import simpleray.rays.RaySegment;
 import simpleray.rays.RaySegment.Kind;
 import simpleray.render.Explainer;
@@ -29,6 +31,7 @@ import simpleray.ui.TestScenes;
 import simpleray.ui.WindowTest;
 import simpleray.ui.file.SceneSource;
 import simpleray.ui.picture.RenderJob;
+import simpleray.ui.widget.SidePanes;
 
 /** The rays of a pixel in the window, with the mouse and with keys. */
 class RaysPaneTest {
@@ -148,6 +151,31 @@ class RaysPaneTest {
             window.screen.press(KeyEvent.VK_HOME);
             Screen.until("it is back", () -> view.pose().equals(first));
             assertThat(OpenWindow.ask(() -> window.picture().request().settings().hasCamera())).isFalse();
+        }
+    }
+
+    @WindowTest
+    void anotherWidthFramesTheRaysAnewUntilTheEyeIsMoved() throws Exception {
+        try (OpenWindow window = finished()) {
+            window.screen.press(KeyEvent.VK_V);
+            untilRays(WIDTH / 2, HEIGHT / 2);
+            RaysView view = OpenWindow.ask(RaysPaneTest::view);
+            Pose first = OpenWindow.ask(view::pose);
+            JSplitPane sides = OpenWindow.ask(() -> OpenWindow.seen(JSplitPane.class, pane -> pane instanceof SidePanes));
+            int wide = OpenWindow.ask(view::getWidth);
+            RayDrawing before = OpenWindow.ask(view::drawing);
+            OpenWindow.run(() -> sides.setDividerLocation(sides.getWidth() - 370));
+            Screen.until("all of them are seen from farther away", () -> view.getWidth() < wide
+                && distance(view.pose()) > 1.2 * distance(first) && view.drawing() != before);
+            Point corner = OpenWindow.ask(view::getLocationOnScreen);
+            robot.mouseMove(corner.x + 50, corner.y + 100);
+            Pose narrow = OpenWindow.ask(view::pose);
+            robot.mouseWheel(-2);
+            Screen.until("it is nearer", () -> distance(view.pose()) < 0.9 * distance(narrow));
+            Pose moved = OpenWindow.ask(view::pose);
+            OpenWindow.run(() -> sides.setDividerLocation(sides.getWidth() - 500));
+            Screen.until("the view has another size", () -> view.getWidth() > 400);
+            assertThat(OpenWindow.ask(view::pose)).isEqualTo(moved);
         }
     }
 
