@@ -6,8 +6,11 @@ import java.awt.Point;
 import java.awt.Rectangle;
 import java.math.BigDecimal;
 import java.math.RoundingMode;
+import java.util.Arrays;
+import java.util.Collections;
 import javax.swing.JColorChooser;
 import javax.swing.JPanel;
+import javax.swing.colorchooser.AbstractColorChooserPanel;
 import javax.swing.text.BadLocationException;
 import simpleray.image.Picture;
 import simpleray.text.NumberParser;
@@ -96,6 +99,9 @@ final class ColourTool {
         String[] words = {text(red), text(red + 1), text(red + 2)};
         JColorChooser chooser = new JColorChooser(before);
         chooser.setPreviewPanel(new JPanel());    // the picture is the preview
+        AbstractColorChooserPanel[] panels = chooser.getChooserPanels();
+        Collections.rotate(Arrays.asList(panels), -1);        // the swatches come first else, where most colours are not
+        chooser.setChooserPanels(panels);
         chooser.getSelectionModel().addChangeListener(e -> put(red, words, before, chooser.getColor()));
         area.beginAtomicEdit();
         try {

@@ -16,6 +16,7 @@ import java.util.Locale;
 import java.util.stream.Stream;
 import javax.swing.JButton;
 import javax.swing.JColorChooser;
+import javax.swing.JSpinner;
 import javax.swing.JMenu;
 import javax.swing.JMenuItem;
 import javax.swing.text.BadLocationException;
@@ -193,6 +194,9 @@ class NumbersTest {
         window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_P);
         JColorChooser chooser = OpenWindow.appears("the picker", JColorChooser.class, c -> true);
         assertThat(OpenWindow.ask(chooser::getColor)).isEqualTo(new Color(51, 102, 153));
+        assertThat(OpenWindow.ask(() -> OpenWindow.all(chooser).filter(c -> c instanceof JSpinner && c.isShowing())
+            .map(c -> ((JSpinner) c).getValue().toString()).limit(3).toList())).as("hue, saturation, value").containsExactly("210", "66", "60");
+        assertThat(text()).isEqualTo(TEXT);
         OpenWindow.run(() -> chooser.setColor(new Color(51, 255, 128)));
         untilPicture(TEXT.replace("0.2 0.4 0.6", "0.2 1 0.502"));
         OpenWindow.run(OpenWindow.appears("OK", JButton.class, b -> b.getText().equals("OK"))::doClick);
