@@ -21,6 +21,11 @@ public final class FileDialog {
         return SwingUtilities.getAncestorOfClass(JFileChooser.class, field) != null;
     }
 
+    /** {@return where the file's name is typed} */
+    public JTextField field() {
+        return name;
+    }
+
     /** {@return the file that the dialog proposes} */
     public String proposal() {
         return OpenWindow.ask(name::getText);

@@ -8,8 +8,10 @@ import java.awt.event.WindowEvent;
 import java.io.File;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.Executor;
+import java.util.regex.Pattern;
 import javax.swing.Action;
 import javax.swing.BorderFactory;
 import javax.swing.JButton;
@@ -20,7 +22,9 @@ import javax.swing.JPanel;
 import javax.swing.JProgressBar;
 import javax.swing.SwingUtilities;
 import javax.swing.Timer;
+import javax.swing.filechooser.FileFilter;
 import javax.swing.filechooser.FileNameExtensionFilter;
+import javax.swing.plaf.basic.BasicFileChooserUI;
 import simpleray.film.FilmException;
 import simpleray.film.FilmOutput;
 import simpleray.film.FilmRenderer;
@@ -38,6 +42,13 @@ import simpleray.ui.widget.KeyBindings;
 final class FilmExport {
     private static final String TITLE = "Export Film";
     private static final String NOT = "The film was not exported";
+    /** The formats that the dialog offers, each by its ending; the first one is that of a name without an ending. */
+    private static final List<FileNameExtensionFilter> FORMATS = List.of(new FileNameExtensionFilter("GIF (*.gif)", "gif"),
+        new FileNameExtensionFilter("Animated PNG (*.apng)", "apng"), new FileNameExtensionFilter("MP4, by ffmpeg (*.mp4)", "mp4"),
+        new FileNameExtensionFilter("WebM, by ffmpeg (*.webm)", "webm"),
+        new FileNameExtensionFilter("Numbered pictures (film.%04d.png)", "png"));
+    private static final String NUMBER = ".%04d.";
+    private static final Pattern ENDING = Pattern.compile("(\\.%\\d*d)?\\.(gif|apng|mp4|webm|png)$", Pattern.CASE_INSENSITIVE);
     private static final int LOOK = 200;                      // milliseconds between two states of the progress
     private static final int WIDTH = 360;
     private static final int GAP = 12;
@@ -88,12 +99,13 @@ final class FilmExport {
         JFileChooser chooser = new JFileChooser();
         chooser.setDialogTitle(TITLE);
         chooser.setAcceptAllFileFilterUsed(true);
-        chooser.setFileFilter(new FileNameExtensionFilter("Films (*.gif, *.apng, *.mp4, *.webm) and numbered pictures (film.%04d.png)",
-            "gif", "apng", "mp4", "webm", "png"));
+        FORMATS.forEach(chooser::addChoosableFileFilter);
+        chooser.setFileFilter(FORMATS.get(0));
         chooser.setSelectedFile(suggestion(asked.source()));
+        chooser.addPropertyChangeListener(JFileChooser.FILE_FILTER_CHANGED_PROPERTY, e -> follow(chooser));
         while (chooser.showSaveDialog(window.frame()) == JFileChooser.APPROVE_OPTION) {
             try {
-                FilmOutput output = FilmOutput.of(chooser.getSelectedFile().getPath());
+                FilmOutput output = FilmOutput.of(named(chooser.getSelectedFile(), chooser.getFileFilter()).getPath());
                 FilmRenderer made = new FilmRenderer(film, request, output, FilmRenderer.Plan.ALL);
                 FilmRenderer.Kept before = before(asked, output, made);
                 if (before != null) {
@@ -104,6 +116,25 @@ final class FilmExport {
                 tell(e.getMessage());
             }
         }
+    }
+
+    /** Gives the name that stands in a dialog the ending of another format that is chosen. */
+    private static void follow(JFileChooser chooser) {
+        if (chooser.getUI() instanceof BasicFileChooserUI ui && ui.getFileName() != null && FORMATS.contains(chooser.getFileFilter())) {
+            String bare = ENDING.matcher(ui.getFileName()).replaceFirst("");
+            if (!bare.isEmpty() && !new File(bare).isAbsolute()) {
+                chooser.setSelectedFile(named(new File(chooser.getCurrentDirectory(), bare), chooser.getFileFilter()));
+            }
+        }
+    }
+
+    /** {@return the file; one whose name has no ending gets that of a format, a GIF's if no format is chosen} */
+    static File named(File file, FileFilter format) {
+        if (file.getName().indexOf('.') >= 0) {
+            return file;
+        }
+        String ending = (format instanceof FileNameExtensionFilter chosen ? chosen : FORMATS.get(0)).getExtensions()[0];
+        return new File(file.getPath() + ("png".equals(ending) && file.getName().indexOf('%') < 0 ? NUMBER : ".") + ending);
     }
 
     /** {@return a file beside the scene} */

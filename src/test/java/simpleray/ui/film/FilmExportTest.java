@@ -3,14 +3,20 @@ package simpleray.ui.film;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.event.KeyEvent;
+import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import javax.swing.JButton;
+import javax.swing.JFileChooser;
 import javax.swing.JOptionPane;
 import javax.swing.JProgressBar;
 import javax.swing.SwingUtilities;
+import javax.swing.filechooser.FileNameExtensionFilter;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import simpleray.film.FilmOutput;
 import simpleray.film.FilmRenderer;
 import simpleray.render.Progress;
@@ -99,6 +105,44 @@ class FilmExportTest {
                 && SwingUtilities.getAncestorOfClass(JOptionPane.class, button) != null));
         }
         assertThat(OpenWindow.threads()).isEmpty();
+    }
+
+    @WindowTest
+    void aNameWithoutAnEndingGetsTheOneOfTheChosenFormat() {
+        try (OpenWindow window = film(5)) {
+            export(window).enter(folder.resolve("film"));
+            Screen.until("the status line tells the name", () -> window.status().equals("Exported " + folder.resolve("film.gif")));
+
+            OpenWindow.later(() -> window.item("Export Film\u2026").doClick());
+            FileDialog dialog = new FileDialog(window.screen);
+            choose("Animated PNG (*.apng)");
+            assertThat(dialog.proposal()).isEqualTo("ball.apng");
+            choose("Numbered pictures (film.%04d.png)");
+            assertThat(dialog.proposal()).isEqualTo("ball.%04d.png");
+            choose("Animated PNG (*.apng)");
+            OpenWindow.run(() -> dialog.field().requestFocusInWindow());
+            Screen.until("the name has the keys", () -> dialog.field().isFocusOwner());
+            dialog.enter(folder.resolve("other"));
+            Screen.until("the status line tells this one", () -> window.status().equals("Exported " + folder.resolve("other.apng")));
+        }
+        assertThat(folder.resolve("film.gif")).isNotEmptyFile();
+        assertThat(folder.resolve("other.apng")).isNotEmptyFile();
+    }
+
+    private static void choose(String format) {
+        OpenWindow.run(() -> {
+            JFileChooser chooser = OpenWindow.seen(JFileChooser.class, one -> true);
+            chooser.setFileFilter(Arrays.stream(chooser.getChoosableFileFilters())
+                .filter(filter -> filter.getDescription().equals(format)).findFirst().orElseThrow());
+        });
+    }
+
+    @ParameterizedTest
+    @CsvSource({"film, png, film.%04d.png", "film%d, png, film%d.png", "film, webm, film.webm",
+        "film.mp4, gif, film.mp4", "a.b/film, gif, a.b/film.gif"})
+    void anEndingIsAddedOnlyWhereThereIsNone(String name, String format, String expected) {
+        assertThat(FilmExport.named(new File(name), new FileNameExtensionFilter("", format))).isEqualTo(new File(expected));
+        assertThat(FilmExport.named(new File("film"), null)).isEqualTo(new File("film.gif"));
     }
 
     @WindowTest
