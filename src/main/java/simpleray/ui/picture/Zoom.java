@@ -63,12 +63,30 @@ public record Zoom(boolean fitted, double scale) {
             screen.setRenderingHint(RenderingHints.KEY_INTERPOLATION,
                 smooth ? RenderingHints.VALUE_INTERPOLATION_BILINEAR : RenderingHints.VALUE_INTERPOLATION_NEAREST_NEIGHBOR);
             Rectangle clip = screen.getClipBounds();
-            if (scale != Math.rint(scale) || clip == null || image.getWidth() * scale != width) {
+            if (smooth && clip != null) {
+                Rectangle part = clip.intersection(new Rectangle(x, y, width, height));
+                if (!part.isEmpty()) {
+                    screen.drawImage(shrunk(image, part), part.x, part.y, null);
+                }
+            } else if (scale != Math.rint(scale) || clip == null || image.getWidth() * scale != width) {
                 screen.drawImage(image, x, y, width, height, null);
             } else {
                 paintVisible(screen, image, clip);
             }
             screen.dispose();
+        }
+
+        /**
+         * {@return the part of the shrunk, or coarse, picture that shows in a rectangle} The screen is given no more than that: it would take
+         * all pixels of the picture for any part, which for a large one takes most of a second.
+         */
+        BufferedImage shrunk(BufferedImage image, Rectangle part) {
+            BufferedImage shown = new BufferedImage(part.width, part.height, BufferedImage.TYPE_INT_ARGB);
+            Graphics2D g = shown.createGraphics();
+            g.setRenderingHint(RenderingHints.KEY_INTERPOLATION, RenderingHints.VALUE_INTERPOLATION_BILINEAR);
+            g.drawImage(image, x - part.x, y - part.y, width, height, null);
+            g.dispose();
+            return shown;
         }
 
         /** Paints only the visible part of a picture, which may be far larger than the window. */

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.awt.Dimension;
 import java.awt.Graphics2D;
 import java.awt.Point;
+import java.awt.Rectangle;
 import java.awt.image.BufferedImage;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -104,5 +105,34 @@ class ZoomStepsTest {
 
         assertThat(Zoom.kept(new Point(20, 10), before, new Point(30, 40), after, 1)).isEqualTo(new Point(80, 90));
         assertThat(Zoom.kept(new Point(20, 10), after, new Point(80, 90), before, 1)).isEqualTo(new Point(30, 40));
+    }
+
+    @Test
+    void ofALargePictureOnlyWhatIsSeenOfItIsGivenToTheScreen() {
+        BufferedImage large = new BufferedImage(3000, 2000, BufferedImage.TYPE_INT_ARGB);
+        for (int y = 0; y < large.getHeight(); y++) {
+            for (int x = 0; x < large.getWidth(); x++) {
+                large.setRGB(x, y, 0xFF000000 | x / 12 << 16 | y / 8 << 8);
+            }
+        }
+        Zoom.Place place = Zoom.FIT.place(new Dimension(340, 200), new Dimension(3000, 2000), 1);
+        BufferedImage whole = place.shrunk(large, new Rectangle(place.x(), place.y(), place.width(), place.height()));
+        Rectangle part = new Rectangle(60, 150, 100, 20);
+        BufferedImage seen = place.shrunk(large, part);
+
+        assertThat(new Dimension(seen.getWidth(), seen.getHeight())).isEqualTo(part.getSize());
+        BufferedImage painted = new BufferedImage(340, 200, BufferedImage.TYPE_INT_RGB);
+        Graphics2D g = painted.createGraphics();
+        g.setClip(part);
+        place.paint(g, large, 1);
+        g.dispose();
+        for (int y = 0; y < part.height; y++) {
+            for (int x = 0; x < part.width; x++) {
+                int expected = whole.getRGB(part.x - place.x() + x, part.y - place.y() + y);
+                assertThat(seen.getRGB(x, y)).isEqualTo(expected);
+                assertThat(painted.getRGB(part.x + x, part.y + y)).isEqualTo(expected);
+            }
+        }
+        assertThat(painted.getRGB(part.x - 1, part.y) & 0xFFFFFF).isZero();
     }
 }
