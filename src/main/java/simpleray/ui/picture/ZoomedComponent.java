@@ -50,7 +50,7 @@ abstract class ZoomedComponent extends DrawnComponent implements Scrollable {
             return zoom.place(getSize(), imageSize(), ui());
         }
         Zoom.Place place = zoom.place(new Dimension(getWidth(), Math.max(1, getHeight() - spare.height)), imageSize(), ui());
-        int left = Math.max(0, (int) Math.round((getWidth() - spare.width) * ui()) - place.width()) / 2;
+        int left = Math.max(0, (int) Math.round((getWidth() - spare.width) * ui()) - place.width());
         return new Zoom.Place(Math.min(place.x(), left), place.y(), place.width(), place.height(), place.scale());
     }
 

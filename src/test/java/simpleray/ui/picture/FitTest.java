@@ -1,6 +1,7 @@
 package simpleray.ui.picture;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import java.awt.Dimension;
 import java.awt.Point;
@@ -16,6 +17,7 @@ import javax.swing.JTree;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import simpleray.render.RenderRequest;
 import simpleray.ui.OpenWindow;
@@ -85,6 +87,30 @@ class FitTest {
         open(TestScenes.THESIS, new RenderRequest());
         untilItFits();
         clickStays(new Point(300, 300));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"1240, 460, true", "1000, 700, false"})
+    void aFittedPictureIsInTheMiddleAsFarAsAStoryFitsBesideIt(int width, int height, boolean middle) throws Exception {
+        open(TestScenes.plain(folder.resolve("plain.scene"), 0.2, 0.4, 0.6), new RenderRequest());
+        OpenWindow.run(() -> window.frame.setSize(width, height));
+        untilItFits();
+        Rectangle before = OpenWindow.ask(this::onScreen);
+        int left = OpenWindow.ask(() -> window.picture().place().x);
+        int right = OpenWindow.ask(() -> window.picture().getWidth()) - left - before.width;
+        if (middle) {
+            assertThat(left).isCloseTo(right, within(1));
+        } else {
+            assertThat(left).isBetween(1, right - 2);
+        }
+        clickStays(new Point(before.width - 10, 100));
+
+        OpenWindow.run(() -> {
+            assertThat(onScreen()).isEqualTo(before);
+            Rectangle seen = window.scroll().getViewport().getBounds();
+            seen.setLocation(window.scroll().getViewport().getLocationOnScreen());
+            assertThat(seen.contains(before)).as("all of it is seen beside the story").isTrue();
+        });
     }
 
     @WindowTest
