@@ -52,6 +52,7 @@ final class ViewerFrame extends JFrame implements EditorContext {
     private static final int PATIENCE = 400;
 
     private final transient SimpleRay picture;
+    private final JScrollPane scroll;                         // shows it
     private final transient Workers workers = new Workers();
     private final transient SceneDocument document = new SceneDocument(this);
     private final DiagnosticsPane problems = new DiagnosticsPane(document::goTo);
@@ -85,6 +86,7 @@ final class ViewerFrame extends JFrame implements EditorContext {
     ViewerFrame(SceneSource source, RenderRequest request, Preferences preferences, Look look, Runnable closed) {
         this.closed = closed;
         picture = new SimpleRay(source, request);
+        scroll = new JScrollPane(picture);
         patience.setRepeats(false);
         timeLine = new TimeLine(this);
         split = new JSplitPane(JSplitPane.VERTICAL_SPLIT, sides, null);
@@ -98,7 +100,7 @@ final class ViewerFrame extends JFrame implements EditorContext {
         comparison = new Comparison(this);
         camera = new CameraMenu(this, document::text, document::replace);
         comparison.setTeller(camera::tellGestures);
-        pictured.add(timeLine.below(new JScrollPane(picture)), BorderLayout.CENTER);
+        pictured.add(timeLine.below(scroll), BorderLayout.CENTER);
         pictured.add(camera.line(), BorderLayout.SOUTH);
         pictured.setMinimumSize(new Dimension());
         sides.setLeftComponent(pictured);
@@ -386,19 +388,30 @@ final class ViewerFrame extends JFrame implements EditorContext {
         }
     }
 
-    /** Gives what is below the picture a height, or half of all. */
+    /** Gives what is below the picture a height, or as much as the picture leaves. */
     private void divide(int height) {
         below = height;
         validate();                                           // else the height may be an older window's
         if (split.getHeight() > 0) {
-            split.setDividerLocation(split.getHeight() - split.getDividerSize() - Math.min(below, split.getHeight() / 2));
+            split.setDividerLocation(split.getHeight() - split.getDividerSize() - Math.min(below, room()));
             validate();                                       // what the window gains or loses from now on is the picture's
         }
     }
 
-    /** Shows what is below the picture, if the window has left no room for it: until it is painted, the divider stays where it is. */
+    /** {@return the greatest height of what is below the picture, which has its share of the window; but at least two lines} */
+    private int room() {
+        int lines = scroll.getHeight() > 0 ? pictured.getHeight() - scroll.getHeight() : 0;   // of the camera and the film
+        return Math.max(LINES, Math.min(split.getHeight() / 2, split.getHeight() - split.getDividerSize() - lines
+            - SidePanes.leastOf(getContentPane().getHeight())));
+    }
+
+    /**
+     * Shows what is below the picture, if the window has left no room for it: until it is painted, the divider stays where it is. Leaves the
+     * picture its share.
+     */
     private void keepInSight() {
-        if (split.getBottomComponent() != null && split.getBottomComponent().getHeight() < DIVIDER) {
+        if (split.getBottomComponent() != null && (split.getBottomComponent().getHeight() < DIVIDER
+            || split.getBottomComponent().getHeight() > room())) {
             divide(below);
         }
     }

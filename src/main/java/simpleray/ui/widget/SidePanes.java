@@ -37,9 +37,8 @@ public final class SidePanes extends JSplitPane {
         addComponentListener(new ComponentAdapter() {
             @Override
             public void componentResized(ComponentEvent e) {
-                int least = (int) Math.ceil(MIN_SHARE * getWidth());
-                if (isOpen() && getDividerLocation() < least) {
-                    setDividerLocation(least);
+                if (isOpen() && getDividerLocation() < least()) {
+                    setDividerLocation(least());
                 }
             }
         });
@@ -85,6 +84,20 @@ public final class SidePanes extends JSplitPane {
         return hidden;
     }
 
+    /** {@return the least width of the picture: what is beside these panes in the window takes nothing of its share} */
+    private int least() {
+        return leastOf(getRootPane() == null ? getWidth() : getRootPane().getContentPane().getWidth());
+    }
+
+    /**
+     * {@return how much of a window the picture has at least, whatever panes are open}
+     *
+     * @param whole the width or height of the window's content
+     */
+    public static int leastOf(int whole) {
+        return (int) Math.ceil(MIN_SHARE * whole);
+    }
+
     private void arrange(JComponent front, int free) {
         boolean both = text != null && pixel != null;
         boolean three = both && getWidth() >= MIN_THREE;
@@ -111,10 +124,11 @@ public final class SidePanes extends JSplitPane {
         }
         int width = getWidth();
         int alone = width - DIVIDER - side.getPreferredSize().width;
-        wide = text != null || alone < width / 2;
+        int half = Math.max(width / 2, least());
+        wide = text != null || alone < half;
         setResizeWeight(wide ? HALF : 1);
-        setDividerLocation(keep && wide ? divider : three ? (int) Math.ceil(MIN_SHARE * width)
-            : Math.max(wide ? width / 2 : alone, Math.min(free, width - DIVIDER - side.getMinimumSize().width)));
+        setDividerLocation(keep && wide ? Math.max(divider, least()) : three ? least()
+            : Math.max(wide ? half : alone, Math.min(free, width - DIVIDER - side.getMinimumSize().width)));
         validate();
         if (three) {
             columns.setDividerLocation(HALF);
