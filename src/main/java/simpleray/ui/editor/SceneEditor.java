@@ -1,12 +1,17 @@
 package simpleray.ui.editor;
 
 import java.awt.BorderLayout;
+import java.awt.Rectangle;
+import java.awt.event.ComponentAdapter;
+import java.awt.event.ComponentEvent;
+import java.awt.geom.Rectangle2D;
 import java.util.List;
 import javax.swing.BorderFactory;
 import javax.swing.JPanel;
 import javax.swing.SwingUtilities;
 import javax.swing.event.DocumentEvent;
 import javax.swing.event.DocumentListener;
+import javax.swing.text.BadLocationException;
 import org.fife.ui.rtextarea.RTextScrollPane;
 import simpleray.text.Diagnostic;
 import simpleray.text.NumberParser;
@@ -41,6 +46,18 @@ final class SceneEditor extends JPanel {
         this.moved = moved;
         area.addCaretListener(e -> moved.run());
         area.setMoved(moved);
+        scroll.getViewport().addComponentListener(new ComponentAdapter() {
+            private int before;                               // the height
+
+            @Override
+            public void componentResized(ComponentEvent e) {
+                int now = scroll.getViewport().getHeight();
+                if (now < before) {
+                    keepCaretInSight(before);
+                }
+                before = now;
+            }
+        });
         area.getDocument().addDocumentListener(new DocumentListener() {
             @Override
             public void insertUpdate(DocumentEvent e) {
@@ -59,6 +76,20 @@ final class SceneEditor extends JPanel {
                 // of styles, and there are none
             }
         });
+    }
+
+    /** Scrolls to the caret's line if it was in sight while the text was higher: what opened below must not cover what is being typed. */
+    private void keepCaretInSight(int before) {
+        try {
+            Rectangle2D caret = area.modelToView2D(area.getCaretPosition());
+            Rectangle seen = scroll.getViewport().getViewRect();
+            if (caret != null && caret.getMaxY() > seen.getMaxY() && caret.getMaxY() <= seen.y + before) {
+                seen.y = (int) Math.ceil(caret.getMaxY()) - seen.height;
+                area.scrollRectToVisible(seen);
+            }
+        } catch (BadLocationException e) {
+            throw new IllegalStateException(e);               // the caret is in the text
+        }
     }
 
     SceneArea area() {

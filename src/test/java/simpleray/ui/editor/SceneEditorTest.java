@@ -62,6 +62,29 @@ class SceneEditorTest {
     }
 
     @WindowTest
+    void problemsThatOpenDoNotCoverTheLineThatIsTyped() {
+        OpenWindow.run(() -> {
+            area().append("# a line\n".repeat(100));
+            area().setCaretPosition(area().getDocument().getLength());
+        });
+        Screen.until("the caret is in the lowest line", this::isCaretSeen);
+        int high = OpenWindow.ask(() -> area().getVisibleRect().height);
+        assertThat(window.problems()).isNull();
+        window.screen.type("7");
+        window.untilProblems("error");
+        Screen.until("the text is lower", () -> area().getVisibleRect().height < high);
+        Screen.until("the caret is in sight", this::isCaretSeen);
+    }
+
+    private boolean isCaretSeen() {
+        try {
+            return area().getVisibleRect().contains(area().modelToView2D(area().getCaretPosition()).getBounds());
+        } catch (BadLocationException e) {
+            throw new AssertionError(e);
+        }
+    }
+
+    @WindowTest
     void controlEShowsTheTextAndHidesIt() {
         assertThat(text()).isEqualTo(TEXT.replace("\r", ""));
         assertThat(OpenWindow.ask(window.item("Scene Text")::isSelected)).isTrue();
