@@ -75,7 +75,8 @@ final class DrawOptions extends OptionGroup {
         Camera inside = scene.settings.newCamera();
         List<RaySegment> segments = RaySegment.of(story, scene);
         Set<Kind> kinds = vectors.value() ? EnumSet.allOf(Kind.class) : RayDrawing.RAYS;
-        OutsideView view = OutsideView.of(scene, segments.get(0).from(), pose(segments, inside, width, height), width, height, Stage.FINAL, SAMPLES);
+        OutsideView view = OutsideView.of(scene, segments.get(0).from(),
+            pose(segments, inside, width, height), width, height, Stage.FINAL, SAMPLES);
         Picture drawing = new RayDrawing(view, inside, segments, kinds).picture(story.x(), story.y());
         drawing.tell(Provenance.ofSheet(request, file, "rays: pixel " + story.x() + ',' + story.y()));
         write(main, quiet, drawing);

@@ -95,8 +95,8 @@ public record RaySegment(Kind kind, Point from, Point to, boolean endless, RayTr
     }
 
     /**
-     * {@return the ends that an eye outside is to see} They are those of the primary ray and of all others, but of a ray to a light far away,
-     * as of one without end, the first piece of it: as an arrow it tells where the light is. So it is with hits that are very far.
+     * {@return the ends that an eye outside is to see} They are those of the primary ray and of all others, but of a ray to a light far
+     * away, as of one without end, the first piece of it: as an arrow it tells where the light is. So it is with hits that are very far.
      */
     static List<Point> framed(List<RaySegment> segments) {
         RaySegment first = segments.get(0);

@@ -406,8 +406,8 @@ final class ViewerFrame extends JFrame implements EditorContext {
     }
 
     /**
-     * Shows what is below the picture, if the window has left no room for it: until it is painted, the divider stays where it is. Leaves the
-     * picture its share.
+     * Shows what is below the picture, if the window has left no room for it: until it is painted, the divider stays where it is.
+     * Leaves the picture its share.
      */
     private void keepInSight() {
         if (split.getBottomComponent() != null && (split.getBottomComponent().getHeight() < DIVIDER

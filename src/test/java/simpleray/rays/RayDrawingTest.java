@@ -67,7 +67,8 @@ class RayDrawingTest {
     }
 
     private OutsideView view(Point eye) {
-        return OutsideView.of(scene, segments.get(0).from(), eye == null ? home(WIDTH, HEIGHT) : pose(eye), WIDTH, HEIGHT, Stage.LIGHTING, 1);
+        return OutsideView.of(scene, segments.get(0).from(), eye == null ? home(WIDTH, HEIGHT) : pose(eye),
+            WIDTH, HEIGHT, Stage.LIGHTING, 1);
     }
 
     private Pose pose(Point eye) {

@@ -33,7 +33,8 @@ class PictureShareTest {
     @ParameterizedTest
     @CsvSource({"1024, 768, false", "1366, 768, false", "1400, 1000, false", "1024, 768, true", "1366, 768, true", "1400, 1000, true"})
     void noCombinationOfPanesLeavesItLessThanTwoFifths(int width, int height, boolean film) {
-        Path scene = TestScenes.write(folder.resolve("ball.scene"), "1\n0  -1 0 -2 1  1 1 1  1 1 1  0 0 0  0\n0.3 0.3 0.3\n1\n0 1 1 1  0 0 9\n"
+        Path scene = TestScenes.write(folder.resolve("ball.scene"),
+            "1\n0  -1 0 -2 1  1 1 1  1 1 1  0 0 0  0\n0.3 0.3 0.3\n1\n0 1 1 1  0 0 9\n"
             + (film ? "frames 3 25\nkey 0 object 1 0 0 0\nkey 2 object 1 2 0 0\n" : ""));
         window = new OpenWindow(SceneSource.file(scene), 90, 60, made -> made.frame().setSize(width, height));
         window.untilState(RenderJob.State.FINISHED);
@@ -52,7 +53,8 @@ class PictureShareTest {
     }
 
     private void keepsItsShare(String when) {
-        Screen.until("the picture has its share with " + when, () -> share(window.scroll().getWidth(), window.frame.getContentPane().getWidth())
+        Screen.until("the picture has its share with " + when, () ->
+            share(window.scroll().getWidth(), window.frame.getContentPane().getWidth())
             && share(window.scroll().getHeight(), window.frame.getContentPane().getHeight()));
     }
 

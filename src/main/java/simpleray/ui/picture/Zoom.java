@@ -77,7 +77,7 @@ public record Zoom(boolean fitted, double scale) {
         }
 
         /**
-         * {@return the part of the shrunk, or coarse, picture that shows in a rectangle} The screen is given no more than that: it would take
+         * {@return the part of the shrunk, or coarse, picture that shows in a rectangle} The screen is given no more: it would take
          * all pixels of the picture for any part, which for a large one takes most of a second.
          */
         BufferedImage shrunk(BufferedImage image, Rectangle part) {

@@ -195,7 +195,8 @@ class NumbersTest {
         JColorChooser chooser = OpenWindow.appears("the picker", JColorChooser.class, c -> true);
         assertThat(OpenWindow.ask(chooser::getColor)).isEqualTo(new Color(51, 102, 153));
         assertThat(OpenWindow.ask(() -> OpenWindow.all(chooser).filter(c -> c instanceof JSpinner && c.isShowing())
-            .map(c -> ((JSpinner) c).getValue().toString()).limit(3).toList())).as("hue, saturation, value").containsExactly("210", "66", "60");
+            .map(c -> ((JSpinner) c).getValue().toString()).limit(3).toList()))
+            .as("hue, saturation, value").containsExactly("210", "66", "60");
         assertThat(text()).isEqualTo(TEXT);
         OpenWindow.run(() -> chooser.setColor(new Color(51, 255, 128)));
         untilPicture(TEXT.replace("0.2 0.4 0.6", "0.2 1 0.502"));
