@@ -3,8 +3,10 @@ package simpleray.film;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayDeque;
+import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.Deque;
 import java.util.List;
@@ -35,6 +37,7 @@ import simpleray.scene.SceneFile;
 
 /**
  * Renders the frames of a film in order, and writes them. While a frame's last rows are rendered and its file is ended, the next one is begun.
+ * Frames in which nothing has changed since the one before are not rendered again.
  * <em>Mutable</em>: one makes one film, once.
  */
 public final class FilmRenderer {
@@ -122,9 +125,12 @@ public final class FilmRenderer {
 
     /** A frame that is being rendered and written. */
     private abstract class OpenFrame implements RenderListener {
+        final int number;
         final Renderer renderer;
+        final List<Integer> same = new ArrayList<>();         // the frames behind it that look like it
 
-        OpenFrame(Renderer renderer) {
+        OpenFrame(int number, Renderer renderer) {
+            this.number = number;
             this.renderer = renderer;
         }
 
@@ -144,6 +150,9 @@ public final class FilmRenderer {
         /** Writes what comes behind the rows. */
         abstract void end() throws IOException;
 
+        /** Writes it once more, as another frame. */
+        abstract void repeat(int other) throws IOException;
+
         /** Discards the file, unless it was ended. */
         void close() throws IOException {
             // there may be none
@@ -156,8 +165,8 @@ public final class FilmRenderer {
         private final AtomicFile target;
         private final PngWriter png;
 
-        PngFrame(Renderer renderer, int number, Frame of) throws FilmException {
-            super(renderer);
+        PngFrame(int number, Frame of, Renderer renderer) throws FilmException {
+            super(number, renderer);
             name = output.frame(number);
             target = begin(name);
             renderer.picture().tell(() -> texts(of));
@@ -184,6 +193,19 @@ public final class FilmRenderer {
         }
 
         @Override
+        void repeat(int other) throws IOException {
+            String copy = output.frame(other);
+            try (AtomicFile again = begin(copy)) {
+                Files.copy(Path.of(name), again.out());
+                again.commit();
+            } catch (FilmException e) {
+                throw e;
+            } catch (IOException e) {
+                throw notWritten(copy, e.getMessage());
+            }
+        }
+
+        @Override
         void close() throws IOException {
             target.close();
         }
@@ -194,8 +216,8 @@ public final class FilmRenderer {
         private final FfmpegFilm coder;
         private final byte[] levels = new byte[3 * width * height];
 
-        CodedFrame(Renderer renderer, FfmpegFilm coder) {
-            super(renderer);
+        CodedFrame(int number, Renderer renderer, FfmpegFilm coder) {
+            super(number, renderer);
             this.coder = coder;
         }
 
@@ -208,6 +230,11 @@ public final class FilmRenderer {
         @Override
         void end() throws IOException {
             coder.frame(levels);
+        }
+
+        @Override
+        void repeat(int other) throws IOException {
+            end();
         }
     }
 
@@ -321,7 +348,7 @@ public final class FilmRenderer {
         goOn();
     }
 
-    private void goOn() {
+    private synchronized void goOn() {
         if (cancelled) {
             throw new CancellationException("told to stop");
         }
@@ -344,7 +371,7 @@ public final class FilmRenderer {
         try {
             if (!output.isSingle()) {
                 findKept(before);
-                renderFrames((f, frame, renderer) -> new PngFrame(renderer, f, frame));
+                renderFrames(PngFrame::new);
             } else {
                 try (AtomicFile target = begin(output.name())) {
                     if (output.kind().isByFfmpeg()) {
@@ -395,7 +422,7 @@ public final class FilmRenderer {
             }
             findKept(before);
             makeFolder();
-            renderFrames((f, frame, renderer) -> new PngFrame(renderer, f, frame));
+            renderFrames(PngFrame::new);
             List<Path> files = frames.stream().mapToObj(f -> Path.of(output.frame(f))).toList();
             if (output.kind() == FilmOutput.Kind.GIF) {
                 GifFilm.write(files, fps, target.out());
@@ -426,7 +453,7 @@ public final class FilmRenderer {
     private void pipe(AtomicFile target) throws IOException {
         try (FfmpegFilm coder = ffmpeg(target.file())) {
             begins(coder);
-            renderFrames((f, frame, renderer) -> new CodedFrame(renderer, coder));
+            renderFrames((f, frame, renderer) -> new CodedFrame(f, renderer, coder));
             coder.end();
             target.commit();
         }
@@ -469,7 +496,10 @@ public final class FilmRenderer {
         try (RenderThreads workers = new RenderThreads(threads)) {
             try {
                 for (int f = frames.nextSetBit(0); f >= 0; f = frames.nextSetBit(f + 1)) {
-                    if (!kept.get(f)) {
+                    OpenFrame before = open.peekLast();
+                    if (!kept.get(f) && before != null && areSame(before.number, f)) {
+                        before.same.add(f);
+                    } else if (!kept.get(f)) {
                         finish(ahead);
                         begin(f, opener, workers);
                     }
@@ -480,6 +510,11 @@ public final class FilmRenderer {
             }
         }
         renderSeconds = Math.max(0, Progress.seconds(start, System.nanoTime()) - readySeconds);
+    }
+
+    private boolean areSame(int one, int other) {
+        int last = film.frames() - 1;
+        return turned == null && film.areSame(Math.min(one, last), Math.min(other, last));
     }
 
     private static long parts(Scene scene) {
@@ -509,6 +544,14 @@ public final class FilmRenderer {
             frame.end();
             frame.close();
             whole.incrementAndGet();
+            for (int other : frame.same) {
+                goOn();
+                frame.repeat(other);
+                whole.incrementAndGet();
+                for (int y = 0; y < height; y++) {
+                    rows.rowFinished(y);
+                }
+            }
             count(frame.renderer.stats());
             ended();
         }

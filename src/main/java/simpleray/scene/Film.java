@@ -1,6 +1,7 @@
 package simpleray.scene;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import simpleray.math.Colour;
 import simpleray.math.Vector;
@@ -103,6 +104,26 @@ public final class Film {
             }
         }
         return still;
+    }
+
+    /**
+     * Tests whether nothing has changed from one frame to another.
+     *
+     * @param one a frame that the film has
+     * @param other likewise
+     * @return whether all things with keys are the same at both, and so the scenes are
+     */
+    public boolean areSame(double one, double other) {
+        double[] first = new double[Key.Kind.CAMERA.channels];
+        double[] second = new double[Key.Kind.CAMERA.channels];
+        for (Track track : tracks) {
+            track.at(one + 0.0, curve, first);
+            track.at(other + 0.0, curve, second);
+            if (!Arrays.equals(first, second)) {
+                return false;
+            }
+        }
+        return true;
     }
 
     /** {@return whether objects move, so that the scenes of two frames are of other ones} */

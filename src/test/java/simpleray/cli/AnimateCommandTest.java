@@ -439,4 +439,34 @@ class AnimateCommandTest {
         assertThat(one.text()).contains("\"primary\":96,");
         assertThat(two.text()).contains("\"primary\":192,");
     }
+
+    /** Frames 0 to 2 are alike, and 4 to 6: three are rendered, of 96 pixels each. */
+    @ParameterizedTest
+    @ValueSource(strings = {"f.%d.png", "f.apng", "f.gif"})
+    void framesInWhichNothingHasChangedAreNotRenderedAgain(String output) throws IOException {
+        Files.writeString(folder.resolve("holds.scene"), STILL + "frames 7 24\nkey 2 object 1 0 0 0\nkey 4 object 1 1 0 0\n");
+        Program.Result result = run("animate @holds.scene -o @" + output + " --stats json -q");
+
+        assertThat(result.text()).contains("\"primary\":288,");
+        good("animate @holds.scene -o @g.%d.png -q");
+        for (int f = 0; f < 7; f++) {
+            good("render @holds.scene --frame " + f + " -o @one.png -q");
+            assertThat(bytes("g." + f + ".png")).as("frame %d", f).isEqualTo(bytes("one.png"));
+        }
+    }
+
+    @Test
+    void whatStaysOfAnEndedRunIsNotTheFrameThatIsRepeated() throws IOException {
+        Files.writeString(folder.resolve("holds.scene"), STILL + "frames 5 24\nkey 0 light 1 0 0 0\n");
+        good("animate @holds.scene -o @f.%d.png -q");
+        byte[] whole = bytes("f.3.png");
+        for (int f : new int[] {0, 2, 3}) {
+            Files.delete(folder.resolve("f." + f + ".png"));
+        }
+        Program.Result result = run("animate @holds.scene -o @f.%d.png --resume --stats json -q");
+
+        assertThat(result.text()).contains("\"primary\":96,");
+        assertThat(files()).isEqualTo(NAMES);
+        assertThat(bytes("f.3.png")).isEqualTo(whole);
+    }
 }

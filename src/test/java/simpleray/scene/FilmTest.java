@@ -241,4 +241,14 @@ class FilmTest {
             assertThat(written(again::write)).isEqualTo(written(still::write)).doesNotContain("frames", "key", "curve");
         }
     }
+
+    /** The second object moves between frames 2 and 4, the light's colour between 3 and 5. */
+    @ParameterizedTest
+    @CsvSource({"0, 2, true", "1.5, 0, true", "2, 3, false", "4, 5, false", "5, 9, true", "2.5, 2.5, true"})
+    void framesBetweenWhichNothingChangesAreTheSame(double one, double other, boolean same) throws IOException {
+        Film film = scene("frames 10 25\nkey 2 object 2 0 0 0\nkey 4 object 2 0 1 0\nkey 3 colour 1 1 1 1\nkey 5 colour 1 1 0 1\n").film();
+
+        assertThat(film.areSame(one, other)).isEqualTo(same);
+        assertThat(scene("frames 10 25").film().areSame(0, 9)).isTrue();
+    }
 }
