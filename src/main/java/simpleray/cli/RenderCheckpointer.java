@@ -12,10 +12,10 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
-import java.util.function.BooleanSupplier;
 import java.util.function.Supplier;
 import simpleray.image.Checkpoint;
 import simpleray.image.png.RowSink;
+import simpleray.io.AtomicFile;
 import simpleray.io.FileInUseException;
 import simpleray.io.OutputTarget;
 import simpleray.render.Progress;
@@ -49,7 +49,7 @@ final class RenderCheckpointer implements RowSink, Closeable {
         }
     };
     private final CountDownLatch closed = new CountDownLatch(1);
-    private BooleanSupplier inPlace = () -> false;
+    private AtomicFile target;                                // null if the picture goes to a stream
     private Thread timer;
     private List<Early> early;                                // null if rows are not kept in memory
     private long earlyBytes;
@@ -118,12 +118,12 @@ final class RenderCheckpointer implements RowSink, Closeable {
      * Begins: with the rows that are kept if that is asked for, and at once or later.
      *
      * @param options what is asked for
-     * @param whole tells whether the picture is whole in its place; if it is being moved there, once it is
+     * @param picture the file of the picture; null for none
      * @param late after how many milliseconds a checkpoint is begun that was not asked for
      * @throws CommandException if the checkpoint is of another picture, or cannot be used
      */
-    void begin(CheckpointOptions options, BooleanSupplier whole, long late) throws CommandException {
-        inPlace = whole;
+    void begin(CheckpointOptions options, AtomicFile picture, long late) throws CommandException {
+        target = picture;
         this.late = late;
         named = options.isNamed();
         if (path != null) {
@@ -306,7 +306,7 @@ final class RenderCheckpointer implements RowSink, Closeable {
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }
-        boolean whole = inPlace.getAsBoolean();
+        boolean whole = target != null && target.isWhole();
         synchronized (this) {
             done |= whole;
             if (picture != null && !done) {

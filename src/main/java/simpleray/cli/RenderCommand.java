@@ -193,7 +193,7 @@ final class RenderCommand implements PlainCommand {
 
     private void toStream(Renderer renderer, RenderCheckpointer checkpointer) throws CommandException {
         try {
-            checkpointer.begin(keep, () -> false, RenderCheckpointer.LATE);
+            checkpointer.begin(keep, null, RenderCheckpointer.LATE);
             render(renderer, new BufferedOutputStream(main.out()), checkpointer);
             checkpointer.finished();
             report("<stdout>", renderer);
@@ -204,7 +204,7 @@ final class RenderCommand implements PlainCommand {
 
     private void toFile(Renderer renderer, RenderCheckpointer checkpointer) throws CommandException {
         try (AtomicFile file = TextOutput.begin(output, work.warnings(main.err()))) {
-            checkpointer.begin(keep, file::isWhole, RenderCheckpointer.LATE);
+            checkpointer.begin(keep, file, RenderCheckpointer.LATE);
             render(renderer, file.out(), checkpointer);
             file.commit();
             checkpointer.finished();

@@ -31,7 +31,7 @@ class RenderCheckpointerTest {
         try (RenderCheckpointer checkpointer = new RenderCheckpointer(path, renderer, () -> {
             throw new OutOfMemoryError("made up");
         }, notes)) {
-            checkpointer.begin(new CheckpointOptions(), () -> false, 0);
+            checkpointer.begin(new CheckpointOptions(), null, 0);
             while (err.size() == 0) {
                 Thread.sleep(1);
             }
