@@ -133,7 +133,7 @@ final class ViewerFrame extends JFrame implements EditorContext {
         picture.setListener(this::refresh);
         status.addRight(ZoomTool.label(picture));
         setMinimumSize(new Dimension(Math.max(tools.getPreferredSize().width, menus.bar().getPreferredSize().width) + MARGIN, LOW));
-        picture.setSpare(picture.spare().width, DIVIDER + LINES);
+        picture.setSpareBelow(DIVIDER + LINES);
         desktop.placeWindow();
         validate();                                           // problems that are known at once find how high the window is
         open(source);
@@ -378,7 +378,7 @@ final class ViewerFrame extends JFrame implements EditorContext {
     }
 
     private void showProblems(JScrollPane pane, boolean tall) {
-        picture.setSpare(picture.spare().width, pane == null ? DIVIDER + LINES : 0);
+        picture.setSpareBelow(pane == null ? DIVIDER + LINES : 0);
         split.setBottomComponent(pane);
         split.setDividerSize(pane == null ? 0 : DIVIDER);
         if (pane == null) {

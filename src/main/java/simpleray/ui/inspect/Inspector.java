@@ -10,6 +10,7 @@ import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
+import java.awt.geom.Point2D;
 import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.ExecutorService;
@@ -49,6 +50,7 @@ import simpleray.ui.widget.SidePanes;
 public final class Inspector {
     private static final int DIVIDER = 6;
     private static final int IDLE = 700;                      // milliseconds after the first picture that nothing else has happened
+    private static final double MIDDLE = 0.5;
     private static final double RAYS_SHARE = 0.6;             // of the height, above the story
     /** How far the frame of the pixel cursor is from its pixel. */
     private static final int FRAME = 4;
@@ -158,13 +160,21 @@ public final class Inspector {
         picture.addMouseMotionListener(mouse);
         picture.setMark(this::paintCursor);
         picture.setGrip(this::isGrip);
-        spare();
-        sides.addPropertyChangeListener(JSplitPane.DIVIDER_SIZE_PROPERTY, e -> spare());
+        picture.setSpareBeside(this::spare);
+        picture.setFocus(this::focus);
     }
 
-    /** A fitted picture leaves room for the story, unless that comes where something is already. */
-    private void spare() {
-        picture.setSpare(sides.isOpen() ? 0 : DIVIDER + StoryPane.WIDTH, picture.spare().height);
+    /**
+     * {@return the room that a fitted picture leaves for the rays, or if it is too wide, for the story alone} None is left where something
+     * is already.
+     */
+    private int spare(int width) {
+        return sides.isOpen() ? 0 : width + sides.widest() <= sides.getWidth() ? sides.widest() : DIVIDER + StoryPane.WIDTH;
+    }
+
+    private Point2D focus() {
+        return cursor == null ? new Point2D.Double(MIDDLE, MIDDLE)
+            : new Point2D.Double((cursor.x + MIDDLE) / cursorIn.width, (cursor.y + MIDDLE) / cursorIn.height);
     }
 
     /**
@@ -610,7 +620,9 @@ public final class Inspector {
         panes.setTopComponent(right == panes ? above : null);
         panes.setBottomComponent(right == panes ? below : null);
         int pixel = SwingUtilities.convertRectangle(picture, place(cursor), sides).x + DIVIDER * FRAME;
-        if (clicked) {
+        if (above != null) {
+            picture.keepOrFit(() -> sides.showPixel(right, 0));   // beside the rays, all of the picture is seen
+        } else if (clicked) {
             picture.keepPlace(() -> sides.showPixel(right, pixel));
         } else {
             sides.showPixel(right, pixel);

@@ -46,6 +46,11 @@ public record Zoom(boolean fitted, double scale) {
             return (int) Math.floor((screenY - y) / scale);
         }
 
+        /** {@return the place of the same picture with its corner elsewhere} */
+        Place at(int left, int top) {
+            return new Place(left, top, width, height, scale);
+        }
+
         /**
          * Paints the picture, or a coarser one in its place, in pixels of the screen, so that at 100 % and its multiples each pixel of the picture is a square of them.
          *

@@ -3,12 +3,16 @@ package simpleray.ui.picture;
 import java.awt.Dimension;
 import java.awt.Point;
 import java.awt.Rectangle;
+import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;
 import java.util.function.DoubleSupplier;
+import java.util.function.IntUnaryOperator;
+import java.util.function.Supplier;
 import javax.swing.JScrollPane;
 import javax.swing.JViewport;
 import javax.swing.Scrollable;
 import javax.swing.SwingConstants;
+import javax.swing.SwingUtilities;
 import simpleray.ui.widget.DrawnComponent;
 
 /** A component that shows a picture at the scale of a {@link Zoom}, and can be scrolled where that is larger. For the event thread. */
@@ -18,11 +22,16 @@ abstract class ZoomedComponent extends DrawnComponent implements Scrollable {
 
     private static final long serialVersionUID = 1L;
     private static final int LINE = 16;
+    private static final Point2D MIDDLE = new Point2D.Double(0.5, 0.5);
 
     private boolean wheelZooms;
-    private Dimension spare = new Dimension();
+    private transient IntUnaryOperator spareBeside = width -> 0;
+    private int spareBelow;
+    private transient Supplier<Point2D> focus = () -> MIDDLE;
     private transient Zoom.Place held;                        // from the corner of what can be seen; null if it is where the zoom says
-    private Dimension heldIn;                                 // the scroll pane's size meanwhile
+    private Dimension heldIn;                                 // the scroll pane's size meanwhile, or since it is anchored
+    private transient Point2D anchor;                         // the part of a fitted picture that is to be near its old place; or null
+    private transient Point2D anchoredAt;                     // that place, in screen pixels from the corner of what can be seen
     private transient Zoom zoom = Zoom.FIT;
     private transient DoubleSupplier standIn;                 // tells the scale of what is shown in its place; null if it is shown itself
 
@@ -44,31 +53,53 @@ abstract class ZoomedComponent extends DrawnComponent implements Scrollable {
     /** {@return where the picture is, in screen pixels from the component's corner} */
     public final Zoom.Place placed() {
         if (isHeld()) {
-            return new Zoom.Place(Math.max(0, held.x()), Math.max(0, held.y()), held.width(), held.height(), held.scale());
+            return held.at(Math.max(0, held.x()), Math.max(0, held.y()));
         }
         if (!zoom.fitted()) {
             return zoom.place(getSize(), imageSize(), ui());
         }
-        Zoom.Place place = zoom.place(new Dimension(getWidth(), Math.max(1, getHeight() - spare.height)), imageSize(), ui());
-        int left = Math.max(0, (int) Math.round((getWidth() - spare.width) * ui()) - place.width());
-        return new Zoom.Place(Math.min(place.x(), left), place.y(), place.width(), place.height(), place.scale());
+        int right = (int) Math.round(getWidth() * ui());
+        int bottom = (int) Math.round(Math.max(1, getHeight() - spareBelow) * ui());
+        Zoom.Place place = zoom.place(new Dimension(getWidth(), Math.max(1, getHeight() - spareBelow)), imageSize(), ui());
+        if (isAnchored()) {
+            return place.at(within(anchoredAt.getX() - anchor.getX() * place.width(), right - place.width()),
+                within(anchoredAt.getY() - anchor.getY() * place.height(), bottom - place.height()));
+        }
+        int spare = (int) Math.round(spareBeside.applyAsInt((int) Math.ceil(place.width() / ui())) * ui());
+        return place.at(within(place.x(), right - spare - place.width()), place.y());
+    }
+
+    private static int within(double place, int end) {
+        return (int) Math.round(Math.max(0, Math.min(place, end)));
     }
 
     /**
-     * Sets how much room a fitted picture leaves for what may come beside it and below, so that it need not move then. Below, that room stays
-     * free; beside it, as far as the picture is not wider.
+     * Sets how much room a fitted picture leaves for what may come beside it, so that it need not move then: as far as the picture is not
+     * wider.
      *
-     * @param width in units of the component's size
-     * @param height likewise
+     * @param room tells the room for a picture of a width, both in units of the component's size
      */
-    public final void setSpare(int width, int height) {
-        spare = new Dimension(width, height);
+    public final void setSpareBeside(IntUnaryOperator room) {
+        spareBeside = room;
+    }
+
+    /**
+     * Sets how much room a fitted picture leaves below for what may come there.
+     *
+     * @param height in units of the component's size
+     */
+    public final void setSpareBelow(int height) {
+        spareBelow = height;
         repaint();
     }
 
-    /** {@return the room for what may come beside a fitted picture and below} */
-    public final Dimension spare() {
-        return spare;
+    /**
+     * Sets what a picture that is fitted anew beside other panes keeps as near as it can to where that was.
+     *
+     * @param point tells a point of the picture, from 0 to 1 across and down
+     */
+    public final void setFocus(Supplier<Point2D> point) {
+        focus = point;
     }
 
     /**
@@ -77,23 +108,51 @@ abstract class ZoomedComponent extends DrawnComponent implements Scrollable {
      * @param change changes the window, and lays it out
      */
     public final void keepPlace(Runnable change) {
+        keep(change, false);
+    }
+
+    /**
+     * Changes the window so that the picture stays where it is, if all of a fitted one is still seen there. Else it is fitted anew, near
+     * its place, and again when another such change gives it more room.
+     *
+     * @param change changes the window, and lays it out
+     */
+    public final void keepOrFit(Runnable change) {
+        keep(change, zoom.fitted());
+    }
+
+    private void keep(Runnable change, boolean whole) {
         if (!isShowing() || !(getParent() instanceof JViewport port) || !(port.getParent() instanceof JScrollPane pane)) {
             change.run();
             return;
         }
+        boolean anchored = isAnchored();
         Zoom.Place was = placed();
         Point before = getLocationOnScreen();
         change.run();
         Point now = port.getLocationOnScreen();
         int x = was.x() + (int) Math.round((before.x - now.x) * ui());
         int y = was.y() + (int) Math.round((before.y - now.y) * ui());
-        held = new Zoom.Place(x, y, was.width(), was.height(), was.scale());
+        Rectangle room = SwingUtilities.calculateInnerArea(pane, null);
+        boolean fits = x >= 0 && y >= 0 && x + was.width() <= Math.round(room.width * ui())
+            && y + was.height() <= Math.round(room.height * ui());
         heldIn = pane.getSize();
+        held = null;
+        if (whole && (anchored || !fits)) {
+            if (!anchored) {
+                anchor = focus.get();
+                anchoredAt = new Point2D.Double(x + anchor.getX() * was.width(), y + anchor.getY() * was.height());
+            }
+        } else {
+            anchor = null;
+            held = was.at(x, y);
+        }
         revalidate();
         pane.validate();
         port.setScrollMode(JViewport.SIMPLE_SCROLL_MODE);
-        port.setViewPosition(hidden());
+        port.setViewPosition(held == null ? new Point() : hidden());
         repaint();
+        firePropertyChange(ZOOM, null, zoom);                 // fitted anew, it has another scale
     }
 
     /**
@@ -111,16 +170,26 @@ abstract class ZoomedComponent extends DrawnComponent implements Scrollable {
 
     /** {@return whether the picture stays where it was put, whatever its zoom says} */
     final boolean isHeld() {
-        if (held != null && (getParent() == null || !heldIn.equals(getParent().getParent().getSize()))) {
-            held = null;
-        }
+        forgetPlace(heldIn == null || getParent() == null || !heldIn.equals(getParent().getParent().getSize()));
         return held != null;
+    }
+
+    /** {@return whether a fitted picture is near the place that it had in a larger room} */
+    private boolean isAnchored() {
+        return !isHeld() && anchor != null;
+    }
+
+    private void forgetPlace(boolean really) {
+        if (really) {
+            held = null;
+            anchor = null;
+        }
     }
 
     /** Lets a picture that was fitted, and stayed where it was since, be fitted anew. */
     final void fitAgain() {
         if (zoom.fitted()) {
-            held = null;
+            forgetPlace(true);
             revalidate();
         }
     }
@@ -148,7 +217,7 @@ abstract class ZoomedComponent extends DrawnComponent implements Scrollable {
     /** {@return the side of the largest square that there is room for, in pixels of the screen; 0 if it is not shown in a window} */
     final int room() {
         return getParent() instanceof JViewport port ? (int) Math.round(Math.min(port.getWidth(),
-            Math.max(1, port.getHeight() - spare.height)) * ui()) : 0;
+            Math.max(1, port.getHeight() - spareBelow)) * ui()) : 0;
     }
 
     /** {@return whether the picture is larger than what can be seen of it, and not because it stays where it was fitted} */
@@ -199,7 +268,7 @@ abstract class ZoomedComponent extends DrawnComponent implements Scrollable {
     public final void setZoom(Zoom other, Point about) {
         Zoom before = zoom;
         Zoom.Place was = placed();
-        held = null;
+        forgetPlace(true);
         zoom = other;
         revalidate();
         if (getParent() instanceof JViewport port) {

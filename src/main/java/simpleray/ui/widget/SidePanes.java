@@ -98,6 +98,15 @@ public final class SidePanes extends JSplitPane {
         return (int) Math.ceil(MIN_SHARE * whole);
     }
 
+    /** {@return the width of the widest pane beside the picture, which takes half, or all that the picture leaves} */
+    public int widest() {
+        return Math.max(0, getWidth() - half());
+    }
+
+    private int half() {
+        return Math.max(getWidth() / 2, least());
+    }
+
     private void arrange(JComponent front, int free) {
         boolean both = text != null && pixel != null;
         boolean three = both && getWidth() >= MIN_THREE;
@@ -124,11 +133,10 @@ public final class SidePanes extends JSplitPane {
         }
         int width = getWidth();
         int alone = width - DIVIDER - side.getPreferredSize().width;
-        int half = Math.max(width / 2, least());
-        wide = text != null || alone < half;
+        wide = text != null || alone < half();
         setResizeWeight(wide ? HALF : 1);
         setDividerLocation(keep && wide ? Math.max(divider, least()) : three ? least()
-            : Math.max(wide ? half : alone, Math.min(free, width - DIVIDER - side.getMinimumSize().width)));
+            : Math.max(wide ? half() : alone, Math.min(free, width - DIVIDER - side.getMinimumSize().width)));
         validate();
         if (three) {
             columns.setDividerLocation(HALF);

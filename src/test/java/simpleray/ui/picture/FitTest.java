@@ -91,26 +91,55 @@ class FitTest {
 
     @ParameterizedTest
     @CsvSource({"1240, 460, true", "1000, 700, false"})
-    void aFittedPictureIsInTheMiddleAsFarAsAStoryFitsBesideIt(int width, int height, boolean middle) throws Exception {
+    void aFittedPictureIsSoFarToTheLeftThatTheRaysOrElseAStoryFitBesideIt(int width, int height, boolean rays) throws Exception {
         open(TestScenes.plain(folder.resolve("plain.scene"), 0.2, 0.4, 0.6), new RenderRequest());
         OpenWindow.run(() -> window.frame.setSize(width, height));
         untilItFits();
         Rectangle before = OpenWindow.ask(this::onScreen);
         int left = OpenWindow.ask(() -> window.picture().place().x);
-        int right = OpenWindow.ask(() -> window.picture().getWidth()) - left - before.width;
-        if (middle) {
-            assertThat(left).isCloseTo(right, within(1));
+        int whole = OpenWindow.ask(() -> window.picture().getWidth());
+        if (rays) {
+            assertThat(left + before.width).isCloseTo(whole / 2, within(1));
         } else {
-            assertThat(left).isBetween(1, right - 2);
+            assertThat(left).isBetween(1, whole - left - before.width - 2);
         }
         clickStays(new Point(before.width - 10, 100));
 
-        OpenWindow.run(() -> {
-            assertThat(onScreen()).isEqualTo(before);
-            Rectangle seen = window.scroll().getViewport().getBounds();
-            seen.setLocation(window.scroll().getViewport().getLocationOnScreen());
-            assertThat(seen.contains(before)).as("all of it is seen beside the story").isTrue();
-        });
+        assertThat(OpenWindow.ask(this::onScreen)).isEqualTo(before);
+        assertThat(OpenWindow.ask(this::isWhole)).as("all of it is seen beside the story").isTrue();
+    }
+
+    @ParameterizedTest
+    @CsvSource({"1364, 742, 0, 0, true", "1090, 589, 0, 0, true", "1364, 742, 400, 400, true", "1090, 589, 800, 300, false",
+        "900, 700, 0, 0, false"})
+    void allOfThePictureIsSeenBesideTheRays(int width, int height, int columns, int rows, boolean stays) throws Exception {
+        open(TestScenes.THESIS, columns == 0 ? new RenderRequest() : OpenWindow.request(columns, rows));
+        OpenWindow.run(() -> window.frame.setSize(width, height));
+        window.untilState(RenderJob.State.FINISHED);
+        Screen.until("it is as large as fits", () -> window.frame.getWidth() == width && window.picture().isSettled()
+            && !window.picture().isBusy() && (columns > 0 || window.picture().placed().scale() == 1));
+        RenderJob job = window.job();
+        Dimension size = OpenWindow.ask(() -> window.picture().imageSize());
+        clickStays(new Point(size.width * 7 / 10, size.height / 2));
+        Rectangle before = OpenWindow.ask(this::onScreen);
+        window.screen.press(KeyEvent.VK_V);
+        Screen.until("the rays are there", () -> OpenWindow.seen(JComponent.class, view -> "rays".equals(view.getName())) != null);
+        Screen.until("it is settled", () -> window.picture().isSettled() && !window.picture().isBusy());
+
+        assertThat(OpenWindow.ask(this::isWhole)).isTrue();
+        if (stays) {
+            assertThat(OpenWindow.ask(this::onScreen)).isEqualTo(before);
+            assertThat(window.job()).isSameAs(job);
+        } else {
+            Rectangle after = OpenWindow.ask(this::onScreen);
+            assertThat(after.width).isBetween(width * 2 / 5, before.width - 1).isCloseTo(width / 2, within(20));
+        }
+    }
+
+    private boolean isWhole() {
+        Rectangle seen = window.scroll().getViewport().getBounds();
+        seen.setLocation(window.scroll().getViewport().getLocationOnScreen());
+        return seen.contains(onScreen());
     }
 
     @WindowTest
