@@ -2,8 +2,6 @@ package simpleray.ui.editor;
 
 import java.awt.BorderLayout;
 import java.awt.Rectangle;
-import java.awt.event.ComponentAdapter;
-import java.awt.event.ComponentEvent;
 import java.awt.geom.Rectangle2D;
 import java.util.List;
 import javax.swing.BorderFactory;
@@ -22,7 +20,7 @@ final class SceneEditor extends JPanel {
     private static final long serialVersionUID = 1L;
 
     private final SceneArea area = new SceneArea();
-    private final RTextScrollPane scroll = new RTextScrollPane(area);
+    private final RTextScrollPane scroll = new Pane(area);
     private final transient Runnable moved;
     private final FindBar find = new FindBar(area);
 
@@ -46,18 +44,6 @@ final class SceneEditor extends JPanel {
         this.moved = moved;
         area.addCaretListener(e -> moved.run());
         area.setMoved(moved);
-        scroll.getViewport().addComponentListener(new ComponentAdapter() {
-            private int before;                               // the height
-
-            @Override
-            public void componentResized(ComponentEvent e) {
-                int now = scroll.getViewport().getHeight();
-                if (now < before) {
-                    keepCaretInSight(before);
-                }
-                before = now;
-            }
-        });
         area.getDocument().addDocumentListener(new DocumentListener() {
             @Override
             public void insertUpdate(DocumentEvent e) {
@@ -78,17 +64,33 @@ final class SceneEditor extends JPanel {
         });
     }
 
-    /** Scrolls to the caret's line if it was in sight while the text was higher: what opened below must not cover what is being typed. */
-    private void keepCaretInSight(int before) {
-        try {
-            Rectangle2D caret = area.modelToView2D(area.getCaretPosition());
-            Rectangle seen = scroll.getViewport().getViewRect();
-            if (caret != null && caret.getMaxY() > seen.getMaxY() && caret.getMaxY() <= seen.y + before) {
-                seen.y = (int) Math.ceil(caret.getMaxY()) - seen.height;
-                area.scrollRectToVisible(seen);
+    /** Keeps the caret's line in sight if it was there before its height changed: what opens below must not cover what is being typed. */
+    private static final class Pane extends RTextScrollPane {
+        private static final long serialVersionUID = 1L;
+
+        Pane(SceneArea area) {
+            super(area);
+        }
+
+        /** At once, not when an event tells of it: problems that close and open again move the text twice between two events. */
+        @Override
+        public void doLayout() {
+            Rectangle before = caret();
+            boolean seen = before != null && getViewport().getViewRect().intersects(before);
+            super.doLayout();
+            Rectangle now = caret();
+            if (seen && now != null && now.getMaxY() > getViewport().getViewRect().getMaxY()) {
+                getTextArea().scrollRectToVisible(now);
             }
-        } catch (BadLocationException e) {
-            throw new IllegalStateException(e);               // the caret is in the text
+        }
+
+        private Rectangle caret() {
+            try {
+                Rectangle2D place = getTextArea() == null ? null : getTextArea().modelToView2D(getTextArea().getCaretPosition());
+                return place == null ? null : place.getBounds();
+            } catch (BadLocationException e) {
+                throw new IllegalStateException(e);           // the caret is in the text
+            }
         }
     }
 

@@ -15,12 +15,14 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.concurrent.CountDownLatch;
 import java.util.stream.Collectors;
 import javax.swing.AbstractButton;
 import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JTextField;
 import javax.swing.SwingUtilities;
+import javax.swing.Timer;
 import javax.swing.UIManager;
 import javax.swing.text.BadLocationException;
 import javax.swing.text.JTextComponent;
@@ -39,6 +41,7 @@ import simpleray.ui.picture.RenderJob;
 /** The scene's text beside the picture: read, edited, rendered and saved there. */
 class SceneEditorTest {
     private static final int SIDE = 64;
+    private static final int PAUSE = 700;                     // milliseconds
     private static final String TEXT = "1\r\n1  0 0 1 -1  0.2 0.4 0.6  0 0 0  0 0 0  0\r\n1 1 1\r\n0\r\n";
 
     @TempDir
@@ -74,6 +77,23 @@ class SceneEditorTest {
         window.untilProblems("error");
         Screen.until("the text is lower", () -> area().getVisibleRect().height < high);
         Screen.until("the caret is in sight", this::isCaretSeen);
+        for (String more : List.of(" ", "8", "9")) {
+            window.screen.type(more);
+            Screen.until("it is typed", () -> text().endsWith(more));
+            pause();
+            assertThat(OpenWindow.ask(this::isCaretSeen)).as("the caret is in sight after \"" + more + '"').isTrue();
+        }
+    }
+
+    /** Waits until what was typed is checked, and its errors are shown. */
+    private void pause() {
+        CountDownLatch over = new CountDownLatch(1);
+        OpenWindow.run(() -> {
+            Timer later = new Timer(PAUSE, e -> over.countDown());
+            later.setRepeats(false);
+            later.start();
+        });
+        Screen.until("a pause is over", () -> over.getCount() == 0);
     }
 
     private boolean isCaretSeen() {
