@@ -2,12 +2,14 @@ package simpleray.ui;
 
 import java.awt.BorderLayout;
 import java.awt.Dimension;
+import java.awt.Rectangle;
 import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.io.File;
 import javax.swing.BorderFactory;
+import javax.swing.JComponent;
 import javax.swing.JFrame;
 import javax.swing.JLayeredPane;
 import javax.swing.JPanel;
@@ -20,7 +22,6 @@ import simpleray.ui.compare.Comparison;
 import simpleray.ui.desktop.DesktopActions;
 import simpleray.ui.desktop.PictureDialogs;
 import simpleray.ui.desktop.Preferences;
-import simpleray.text.Diagnostic;
 import simpleray.ui.editor.DiagnosticsPane;
 import simpleray.ui.editor.EditorContext;
 import simpleray.ui.editor.SceneDocument;
@@ -104,6 +105,7 @@ final class ViewerFrame extends JFrame implements EditorContext {
         pictured.add(camera.line(), BorderLayout.SOUTH);
         pictured.setMinimumSize(new Dimension());
         sides.setLeftComponent(pictured);
+        sides.setKeeper(this::keep);
         PictureSettings settings = new PictureSettings(this, document::show, document::text, document::replace);
         menus = new ViewerMenus(picture, dialogs, desktop, new SceneMenu(document, problems), inspector, comparison, camera, timeLine,
             settings, this::close);
@@ -206,6 +208,15 @@ final class ViewerFrame extends JFrame implements EditorContext {
             sides.setLeftComponent(pictured);
             validate();
             picture.requestFocusInWindow();
+        }
+    }
+
+    /** Changes the window so that a picture that is there stays where it is, or is fitted near its place. */
+    private void keep(Runnable change) {
+        if (!picture.isPlaced()) {
+            change.run();
+        } else {
+            picture.keepOrFit(change);
         }
     }
 
@@ -336,7 +347,7 @@ final class ViewerFrame extends JFrame implements EditorContext {
         if ((faults != null || now.state() != RenderJob.State.READING) && (job != told || !text.equals(toldText))) {
             told = job;
             toldText = text;
-            showProblems(report, now.state());
+            showProblems(report);
             document.markProblems(job);
         }
         refreshMenus();
@@ -366,25 +377,32 @@ final class ViewerFrame extends JFrame implements EditorContext {
         status.showPixel(line);
     }
 
-    private void showProblems(SceneReport report, RenderJob.State state) {
+    private void showProblems(SceneReport report) {
         String text = report.text();
         if (text.equals(problems.getText())) {
             return;                                           // the same as before: the selection stays
         }
         problems.show(text, report.places());
-        // warnings of a picture that is there take the room that it has left for them
-        boolean tall = picture.seen() == null || state == RenderJob.State.FAILED || report.places().stream().anyMatch(Diagnostic::error);
-        picture.keepUnlessFitted(() -> showProblems(text.isEmpty() ? null : new JScrollPane(problems), tall));
+        keep(() -> showProblems(text.isEmpty() ? null : new JScrollPane(problems)));
     }
 
-    private void showProblems(JScrollPane pane, boolean tall) {
+    /** {@return the room below a picture that is there, which problems may take without moving it; it leaves two lines} */
+    private int free() {
+        Rectangle place = picture.place();
+        JComponent bottom = (JComponent) split.getBottomComponent();
+        return Math.max(LINES, picture.getVisibleRect().y + scroll.getViewport().getHeight() - place.y - place.height
+            + (bottom == null ? -DIVIDER : bottom.getHeight()));
+    }
+
+    private void showProblems(JScrollPane pane) {
+        int free = picture.seen() == null ? Integer.MAX_VALUE : free();
         picture.setSpareBelow(pane == null ? DIVIDER + LINES : 0);
         split.setBottomComponent(pane);
         split.setDividerSize(pane == null ? 0 : DIVIDER);
         if (pane == null) {
             validate();
         } else {
-            divide(tall ? pane.getPreferredSize().height : LINES);
+            divide(Math.min(pane.getPreferredSize().height, free));
         }
     }
 

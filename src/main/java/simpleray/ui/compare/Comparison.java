@@ -211,11 +211,10 @@ public final class Comparison {
     private void showHistogram() {
         if (histogram.isSelected()) {
             SwingUtilities.updateComponentTreeUI(counted.get());
-            window.frame().add(counted.get(), BorderLayout.EAST);
+            window.sides().change(() -> window.frame().add(counted.get(), BorderLayout.EAST));
         } else {
-            window.frame().remove(counted.get());
+            window.sides().change(() -> window.frame().remove(counted.get()));
         }
-        window.frame().validate();
         window.frame().repaint();
     }
 

@@ -620,12 +620,10 @@ public final class Inspector {
         panes.setTopComponent(right == panes ? above : null);
         panes.setBottomComponent(right == panes ? below : null);
         int pixel = SwingUtilities.convertRectangle(picture, place(cursor), sides).x + DIVIDER * FRAME;
-        if (above != null) {
-            picture.keepOrFit(() -> sides.showPixel(right, 0));   // beside the rays, all of the picture is seen
-        } else if (clicked) {
+        if (clicked && above == null) {
             picture.keepPlace(() -> sides.showPixel(right, pixel));
         } else {
-            sides.showPixel(right, pixel);
+            sides.showPixel(right, above == null ? pixel : 0);   // beside the rays, all of the picture is seen
         }
         if (right == panes) {
             panes.setDividerLocation(RAYS_SHARE);

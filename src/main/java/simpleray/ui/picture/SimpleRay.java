@@ -219,6 +219,12 @@ public final class SimpleRay extends ZoomedComponent implements Runnable {
         return !settle.isRunning();
     }
 
+    /** {@return whether there is a picture whose place is to be kept: not one that is about to follow its window's size} */
+    @SuppressWarnings("ReferenceEquality")                    // the very request, unless it got the room's size
+    public boolean isPlaced() {
+        return seen != null && (isSettled() || placed().scale() == 1 || job.snapshot().request() == job.request());
+    }
+
     /** Renders a picture anew that has the size of the room there was before. */
     @SuppressWarnings("ReferenceEquality")                    // the very request, unless it got the room's size
     private void fitRoom() {

@@ -155,19 +155,6 @@ abstract class ZoomedComponent extends DrawnComponent implements Scrollable {
         firePropertyChange(ZOOM, null, zoom);                 // fitted anew, it has another scale
     }
 
-    /**
-     * Changes what is below the picture so that it stays where it is; a fitted one has left room, or is fitted again.
-     *
-     * @param change changes the window, and lays it out
-     */
-    public final void keepUnlessFitted(Runnable change) {
-        if (zoom.fitted() && !isHeld()) {
-            change.run();
-        } else {
-            keepPlace(change);
-        }
-    }
-
     /** {@return whether the picture stays where it was put, whatever its zoom says} */
     final boolean isHeld() {
         forgetPlace(heldIn == null || getParent() == null || !heldIn.equals(getParent().getParent().getSize()));

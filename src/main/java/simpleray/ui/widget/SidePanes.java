@@ -2,6 +2,7 @@ package simpleray.ui.widget;
 
 import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
+import java.util.function.Consumer;
 import javax.swing.BorderFactory;
 import javax.swing.JComponent;
 import javax.swing.JSplitPane;
@@ -22,6 +23,7 @@ public final class SidePanes extends JSplitPane {
     private final JSplitPane columns = new JSplitPane(HORIZONTAL_SPLIT);
     private JComponent text;                                  // null while it is not wanted
     private JComponent pixel;
+    private transient Consumer<Runnable> keeper = Runnable::run;
     private boolean wide;                                     // what is beside the picture now takes all that the picture leaves
 
     /** Creates a pane with nothing in it. */
@@ -37,11 +39,38 @@ public final class SidePanes extends JSplitPane {
         addComponentListener(new ComponentAdapter() {
             @Override
             public void componentResized(ComponentEvent e) {
-                if (isOpen() && getDividerLocation() < least()) {
-                    setDividerLocation(least());
-                }
+                leaveShare();
             }
         });
+    }
+
+    /**
+     * Sets what keeps the picture in its place while other panes come and go.
+     *
+     * @param other runs the change that it gets, which lays the window out
+     */
+    public void setKeeper(Consumer<Runnable> other) {
+        keeper = other;
+    }
+
+    /**
+     * Shows or hides something elsewhere in the window, so that the picture keeps its place if it can, and its share.
+     *
+     * @param change changes the window
+     */
+    public void change(Runnable change) {
+        keeper.accept(() -> {
+            change.run();
+            getRootPane().validate();
+            leaveShare();
+            validate();
+        });
+    }
+
+    private void leaveShare() {
+        if (isOpen() && getDividerLocation() < least()) {
+            setDividerLocation(least());
+        }
     }
 
     /**
@@ -51,7 +80,7 @@ public final class SidePanes extends JSplitPane {
      */
     public void showText(JComponent other) {
         text = other;
-        arrange(other, 0);
+        keeper.accept(() -> arrange(other, 0));
     }
 
     /**
@@ -62,7 +91,7 @@ public final class SidePanes extends JSplitPane {
      */
     public void showPixel(JComponent other, int free) {
         pixel = other;
-        arrange(other, free);
+        keeper.accept(() -> arrange(other, free));
     }
 
     /** {@return whether there is something beside the picture} */

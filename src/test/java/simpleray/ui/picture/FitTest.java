@@ -10,26 +10,32 @@ import java.awt.Robot;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.nio.file.Path;
+import java.util.Collections;
+import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JTree;
+import javax.swing.Timer;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import simpleray.render.RenderRequest;
+import simpleray.text.Diagnostic;
 import simpleray.ui.OpenWindow;
 import simpleray.ui.Screen;
 import simpleray.ui.TestScenes;
 import simpleray.ui.WindowTest;
+import simpleray.ui.editor.EditorContext;
 import simpleray.ui.file.SceneSource;
 
 /** The picture as large as its room, and where it was while panes open. */
 class FitTest {
     private static final double SHARE = 0.8;
     private static final int NEAR = 2;                        // pixels
+    private static final int PAUSE = 500;                     // milliseconds, longer than a resized picture waits
 
     @TempDir
     Path folder;
@@ -134,6 +140,78 @@ class FitTest {
             Rectangle after = OpenWindow.ask(this::onScreen);
             assertThat(after.width).isBetween(width * 2 / 5, before.width - 1).isCloseTo(width / 2, within(20));
         }
+    }
+
+    @ParameterizedTest
+    @CsvSource({"1364, 742, 100", "1090, 589, 200"})
+    void aPaneThatOpensOrClosesMovesNoPictureThatFitsBesideIt(int width, int height, int near) throws Exception {
+        open(TestScenes.THESIS, new RenderRequest());
+        OpenWindow.run(() -> window.frame.setSize(width, height));
+        untilItFits();
+        RenderJob job = window.job();
+        int side = OpenWindow.ask(() -> window.picture().imageSize().width);
+        clickStays(new Point(side * 7 / 10, side / 2));
+        Rectangle before = OpenWindow.ask(this::onScreen);
+        for (String item : List.of("Scene Text", "Scene Text", "Histogram", "Histogram", "Scene Text", "Rays", "Rays")) {
+            toggle(item);
+            Rectangle now = OpenWindow.ask(this::onScreen);
+            assertThat(now.getSize()).as(item).isEqualTo(before.getSize());
+            assertThat(now.getLocation().distance(before.getLocation())).as(item).isLessThanOrEqualTo(near);
+            assertThat(OpenWindow.ask(this::isWhole)).as(item).isTrue();
+            assertThat(window.job()).as(item).isSameAs(job);
+        }
+        OpenWindow.run(() -> window.frame.setSize(width - 100, height - 100));
+        Screen.until("it fits the smaller window", () -> window.frame.getWidth() == width - 100 && window.picture().isSettled()
+            && !window.picture().isBusy() && window.picture().imageSize().width < side
+            && window.picture().imageSize().width == window.picture().room());
+    }
+
+    @WindowTest
+    void aPictureThatDoesNotFitBesideAPaneIsFittedNearItsPlace() {
+        open(TestScenes.THESIS, new RenderRequest());
+        OpenWindow.run(() -> window.frame.setSize(900, 700));
+        untilItFits();
+        Rectangle before = OpenWindow.ask(this::onScreen);
+        toggle("Scene Text");
+        assertThat(OpenWindow.ask(this::isWhole)).isTrue();
+        Rectangle beside = OpenWindow.ask(this::onScreen);
+        assertThat(beside.width).isLessThan(before.width);
+        assertThat(beside.getCenterY()).as("its middle is where it was").isCloseTo(before.getCenterY(), within(1.0));
+    }
+
+    @WindowTest
+    void errorsMoveThePictureNoMoreThanWarnings() {
+        Path scene = TestScenes.plain(folder.resolve("plain.scene"), 0.2, 0.4, 0.6);
+        open(scene, new RenderRequest());
+        OpenWindow.run(() -> window.frame.setSize(1090, 589));
+        untilItFits();
+        RenderJob job = window.job();
+        Rectangle before = OpenWindow.ask(this::onScreen);
+        Diagnostic wrong = new Diagnostic("a.scene", 1, 1, true, "wrong", null);
+        for (int errors : new int[] {1, 3, 9, 2}) {
+            OpenWindow.run(() -> ((EditorContext) window.frame).showFaults(SceneReport.of(Collections.nCopies(errors, wrong))));
+            pause();
+            assertThat(window.problems()).isNotNull();
+            assertThat(OpenWindow.ask(this::onScreen)).isEqualTo(before);
+        }
+        assertThat(window.job()).isSameAs(job);
+    }
+
+    private void toggle(String item) {
+        OpenWindow.run(() -> window.item(item).doClick());
+        pause();
+    }
+
+    /** Waits until a picture would be rendered anew. */
+    private void pause() {
+        CountDownLatch over = new CountDownLatch(1);
+        OpenWindow.run(() -> {
+            Timer later = new Timer(PAUSE, e -> over.countDown());
+            later.setRepeats(false);
+            later.start();
+        });
+        Screen.until("a pause is over", () -> over.getCount() == 0);
+        Screen.until("it is settled", () -> window.picture().isSettled() && !window.picture().isBusy());
     }
 
     private boolean isWhole() {
@@ -298,6 +376,6 @@ class FitTest {
         window.untilState(RenderJob.State.FINISHED);
         Screen.until("the picture has the size of its room", () -> window.picture().job().state() == RenderJob.State.FINISHED
             && window.picture().isSettled() && window.picture().imageSize().width == window.picture().room()
-            && window.picture().place().height > SHARE * window.scroll().getHeight());
+            && window.picture().place().height > SHARE * Math.min(window.scroll().getWidth(), window.scroll().getHeight()));
     }
 }
