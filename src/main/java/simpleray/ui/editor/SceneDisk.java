@@ -79,6 +79,9 @@ final class SceneDisk {
             Answer answer;
             try {
                 byte[] bytes = maker.make();
+                if (bytes.length == 0) {
+                    throw new FileSystemException(path.toString(), null, "there is no text to write");
+                }
                 byte[] now = !whatever && Files.isRegularFile(path) ? Files.readAllBytes(path) : null;
                 if (now != null && !Arrays.equals(now, before) && !Arrays.equals(now, bytes)) {
                     answer = new Answer(now, null, true);

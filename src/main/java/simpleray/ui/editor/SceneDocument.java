@@ -160,12 +160,14 @@ public final class SceneDocument {
             if (source != asked) {
                 return;
             }
-            if (answer.failure() != null || answer.bytes() == null && asked.path() == null) {
-                window.banner().show(TEXT, answer.failure() != null ? answer.failure() : "This scene has no text");
+            byte[] text = answer.bytes() == null && answer.failure() == null ? rendered() : answer.bytes();
+            if (text == null) {
+                window.banner().show(TEXT, answer.failure() != null ? answer.failure()
+                    : asked.path() == null ? "This scene has no text" : name() + " is not there, and its text is not known");
                 return;
             }
             if (saved == null) {
-                take(answer);
+                take(answer, text);
                 editor.begin(saved.text());
                 editor.area().setEnabled(true);
                 refresh();
@@ -173,6 +175,12 @@ public final class SceneDocument {
             markProblems(window.picture().job());
             then.run();
         });
+    }
+
+    /** {@return the text of the picture's scene as it was read from a file that is gone; null if it was not kept} */
+    private byte[] rendered() {
+        RenderJob job = window.picture().job();
+        return job == null || source.path() == null ? null : job.bytesOf(source.path());
     }
 
     /** Tells what the value at the caret is, and lights up the object at hand: the one under the mouse, or else at the caret. */
@@ -301,8 +309,12 @@ public final class SceneDocument {
     }
 
     private void take(SceneDisk.Answer answer) {
+        take(answer, answer.bytes());
+    }
+
+    private void take(SceneDisk.Answer answer, byte[] text) {
         bytes = answer.bytes();
-        saved = SceneText.of(bytes == null ? new byte[0] : bytes);
+        saved = SceneText.of(text);
         resolve();
     }
 

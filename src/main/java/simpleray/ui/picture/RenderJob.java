@@ -220,6 +220,7 @@ public final class RenderJob {
         this.source = source;
         this.request = request;
         this.before = before;
+        earlier = before == null ? null : before.text();
         this.known = known;
         this.region = region;
         this.alone = alone;
@@ -333,7 +334,18 @@ public final class RenderJob {
     /** {@return the scene's text; that of {@link #setEarlier} before it was read, or if it has errors; null if there is none} */
     private SourceText text() {
         LoadedScene loaded = snapshot().loaded;
-        return loaded == null ? earlier : loaded.file.text();
+        return loaded == null ? earlier : loaded.film.text();
+    }
+
+    /**
+     * Returns the text that was last read from a file, which may be gone since.
+     *
+     * @param file the file
+     * @return its bytes, not to be changed; null if it was not read, was too long to be kept, or was a picture
+     */
+    public byte[] bytesOf(Path file) {
+        SourceText text = file.equals(source.path()) ? text() : null;
+        return text == null || !text.name().equals(file.getFileName().toString()) ? null : text.bytes();
     }
 
     /** {@return how far it is now} */

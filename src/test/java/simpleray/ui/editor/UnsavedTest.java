@@ -148,6 +148,62 @@ class UnsavedTest {
     }
 
     @WindowTest
+    void ofADeletedSceneTheTextThatWasReadIsShown() throws IOException {
+        openAndDelete();
+        window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_E);
+
+        Screen.until("the text is there", () -> TEXT.equals(window.document().text()));
+    }
+
+    @WindowTest
+    void ofADeletedSceneThatCouldNotBeReadAgainTheTextIsSavedElsewhere() throws IOException {
+        openAndDelete();
+        window.screen.press(KeyEvent.VK_F5);
+        window.untilState(RenderJob.State.FAILED);
+        Path saved = saveAs("saved.scene");
+
+        Screen.until("it is the window's scene", () -> window.frame.getTitle().equals("saved.scene - SimpleRay"));
+        window.untilShown("its picture", TestScenes.rendered(saved, SIDE, SIDE));
+        assertThat(Files.readString(saved)).isEqualTo(TEXT);
+    }
+
+    @WindowTest
+    void ofASceneThatWasNeverThereNothingIsWritten() {
+        write(TEXT);
+        window = new OpenWindow(SceneSource.file(folder.resolve("never.scene")), SIDE, SIDE);
+        window.untilState(RenderJob.State.FAILED);
+        window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_ALT, KeyEvent.VK_S);
+
+        Screen.until("it is told", () -> "never.scene is not there, and its text is not known".equals(window.banner().message("text")));
+    }
+
+    @WindowTest
+    void aTextOfNothingIsNotWritten() throws IOException {
+        open(SceneSource.file(write(TEXT)));
+        OpenWindow.run(() -> window.document().editor().area().setText(""));
+        window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_S);
+
+        answer("OK");
+        assertThat(Files.readString(scene)).isEqualTo(TEXT);
+    }
+
+    private void openAndDelete() throws IOException {
+        window = new OpenWindow(SceneSource.file(write(TEXT)), SIDE, SIDE);
+        window.untilState(RenderJob.State.FINISHED);
+        Files.delete(scene);
+        Screen.until("the banner is there", () -> window.banner().message("gone") != null);
+    }
+
+    private Path saveAs(String name) {
+        window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_ALT, KeyEvent.VK_S);
+        Path saved = folder.resolve(name);
+        FileDialog dialog = new FileDialog(window.screen);
+        dialog.enter(saved);
+        dialog.untilClosed();
+        return saved;
+    }
+
+    @WindowTest
     void aTextFromStandardInputIsSavedWhereTheUserSays() throws IOException {
         open(SceneSource.text(TEXT.getBytes(StandardCharsets.UTF_8)));
         OpenWindow.run(() -> window.document().editor().area().setText(MINE));
