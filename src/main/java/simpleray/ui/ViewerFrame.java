@@ -235,6 +235,8 @@ final class ViewerFrame extends JFrame implements EditorContext {
             patience.stop();                                  // its errors do not matter any more
             String name = new File(opened.name()).getName();
             banner.show(GONE, name + " was deleted; the picture is the last one read");
+            document.fileGone();
+            refresh();                                        // one that failed because of that is over
         } else {
             banner.hide(GONE);
             document.fileChanged();
@@ -333,7 +335,9 @@ final class ViewerFrame extends JFrame implements EditorContext {
         }
         RenderJob.Snapshot now = job.snapshot();
         if (job == doubted && now.state() == RenderJob.State.FAILED) {
-            if (!patience.isRunning() && banner.message(GONE) == null) {
+            if (banner.message(GONE) != null) {
+                status.show(job, now, picture.imageSize());   // it says itself what is wrong
+            } else if (!patience.isRunning()) {
                 patience.start();
             }
             return;

@@ -141,6 +141,17 @@ class LiveTest {
     }
 
     @WindowTest
+    void readingASceneThatIsDeletedMeanwhileEnds() throws IOException {
+        OpenWindow.run(() -> window.viewer().setPatience(Screen.SECONDS * 2 * 1000));
+        TestScenes.write(scene, BAD);
+        Screen.until("it is not read", () -> window.picture().job().state() == RenderJob.State.FAILED);
+        Files.delete(scene);
+
+        Screen.until("it is told", () -> window.status().equals("The scene was not read: see above"));
+        assertThat(window.problems()).isNull();
+    }
+
+    @WindowTest
     void aBannerMovesNothingAndRendersNothing() throws IOException {
         OpenWindow.run(() -> {
             window.picture().setRequest(window.picture().request().with(new SceneSettings()));   // without a size

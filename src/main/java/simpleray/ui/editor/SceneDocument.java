@@ -42,6 +42,7 @@ public final class SceneDocument {
     private byte[] bytes;                                     // the file's; null if there is none
     private SceneDisk.Answer other;                           // the bytes that another program wrote while there are unsaved changes
     private boolean changed;
+    private boolean gone;                                     // the file: the text is nowhere else
     private SceneSource own;                                  // of the text that was rendered without saving it
     private String ownText;
     private final TextChecker checker;
@@ -71,6 +72,7 @@ public final class SceneDocument {
         source = opened;
         saved = null;
         bytes = null;
+        gone = false;
         next = () -> { };
         resolve();
         if (editor != null) {
@@ -91,7 +93,7 @@ public final class SceneDocument {
 
     /** {@return whether there is something that the file does not hold} */
     public boolean isChanged() {
-        return changed;
+        return changed || gone;
     }
 
     /** {@return the editor; null until it is asked for} */
@@ -168,6 +170,7 @@ public final class SceneDocument {
             }
             if (saved == null) {
                 take(answer, text);
+                gone = answer.bytes() == null;
                 editor.begin(saved.text());
                 editor.area().setEnabled(true);
                 refresh();
@@ -237,7 +240,7 @@ public final class SceneDocument {
             if (!rendered) {
                 own = check.source();
                 ownText = check.text();
-                window.picture().setSource(changed ? own : source);
+                window.picture().setSource(isChanged() ? own : source);
                 window.picture().restart();
             }
         } else {
@@ -318,6 +321,12 @@ public final class SceneDocument {
         resolve();
     }
 
+    /** Takes notice that the file was deleted: what is in the editor is on no disk any more. */
+    public void fileGone() {
+        gone = saved != null;
+        refresh();
+    }
+
     /** Renders the scene and updates the text after its file, or one of its meshes, has changed. */
     public void fileChanged() {
         if (!changed) {
@@ -331,8 +340,10 @@ public final class SceneDocument {
             if (source != asked || saved == null) {
                 return;
             }
-            if (answer.failure() != null || answer.bytes() == null) {
-                window.say(answer.failure() == null ? "The text is the last one read" : answer.failure());
+            gone = answer.failure() == null && answer.bytes() == null;
+            refresh();
+            if (answer.failure() != null || gone) {
+                window.say(gone ? "The text is the last one read" : answer.failure());
             } else if (Arrays.equals(answer.bytes(), bytes)) {
                 resolve();
                 if (changed) {                                // then it was a mesh
@@ -356,7 +367,11 @@ public final class SceneDocument {
             take(other);
             editor.area().replaceAll(saved.text());           // can be undone
             refresh();
-            window.reload(source);
+            if (gone) {                                       // deleted since it was changed
+                render();
+            } else {
+                window.reload(source);
+            }
         });
         reload.putValue(Action.MNEMONIC_KEY, (int) 'L');
         reload.putValue(Action.SHORT_DESCRIPTION, "Take the file's text; Undo brings yours back");
@@ -442,6 +457,7 @@ public final class SceneDocument {
                 SceneDialogs.failed(window.frame(), source.path(), answer.failure());
             } else {
                 take(answer);
+                gone = false;
                 refresh();
                 if (window.picture().source() == own && text.equals(ownText)) {
                     window.picture().setSource(source);
@@ -499,7 +515,7 @@ public final class SceneDocument {
             if (answer.failure() != null) {
                 SceneDialogs.failed(window.frame(), path, answer.failure());
             } else if (source == asked) {
-                changed = false;
+                forget();
                 if (seen.get()) {
                     window.camera().release();
                 }
@@ -527,7 +543,7 @@ public final class SceneDocument {
      * @param then what to do
      */
     public void leave(Runnable then) {
-        if (!changed) {
+        if (!isChanged()) {
             then.run();
             return;
         }
@@ -543,6 +559,7 @@ public final class SceneDocument {
     /** Gives up the changes that are not saved. */
     void forget() {
         changed = false;
+        gone = false;
     }
 
     /** Shows the text and the line for finding something in it. */

@@ -3,6 +3,7 @@ package simpleray.ui.editor;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.event.KeyEvent;
+import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
@@ -185,6 +186,24 @@ class UnsavedTest {
 
         answer("OK");
         assertThat(Files.readString(scene)).isEqualTo(TEXT);
+    }
+
+    @WindowTest
+    void aTextThatIsOnNoDiskIsRenderedAndAskedFor() throws IOException {
+        openChanged();
+        writeAsAnother(THEIRS);
+        untilBanner();
+        BufferedImage theirs = TestScenes.rendered(scene, SIDE, SIDE);
+        Files.delete(scene);
+        Screen.until("it is told", () -> window.banner().message("gone") != null);
+        click("Reload");
+
+        window.untilShown("their picture", theirs);
+        assertThat(text()).isEqualTo(THEIRS);
+        quit();
+        answer("Save");
+        Screen.until("the window is closed", window.closed::get);
+        assertThat(Files.readString(scene)).isEqualTo(THEIRS);
     }
 
     private void openAndDelete() throws IOException {
