@@ -52,7 +52,7 @@ final class PixelMenu extends MouseAdapter {
     private void show(MouseEvent e) {
         Point pixel = e.isPopupTrigger() ? picture.pixelAt(e.getPoint()) : null;
         RenderJob job = picture.job();
-        if (pixel == null || job == null) {
+        if (pixel == null || picture.isBlank()) {
             return;
         }
         JPopupMenu menu = new JPopupMenu("Pixel");

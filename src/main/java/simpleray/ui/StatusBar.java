@@ -42,6 +42,7 @@ final class StatusBar extends JPanel {
         add(text, BorderLayout.CENTER);
         right.add(size);
         add(right, BorderLayout.EAST);
+        right.setVisible(false);                              // until there is a picture
         add(pixel, BorderLayout.SOUTH);
         addComponentListener(new ComponentAdapter() {
             @Override
@@ -82,13 +83,14 @@ final class StatusBar extends JPanel {
         pixel.setToolTipText(line.isBlank() ? null : line);   // a narrow window cuts it
     }
 
-    /** Shows how far a rendering is, or was a moment ago. */
+    /** Shows how far a rendering is, or was a moment ago, and the size of the picture; null if there is none. */
     void show(RenderJob job, RenderJob.Snapshot now, Dimension shown) {
         Progress progress = now.progress();
         bar.setMaximum(BAR);
         bar.setValue((int) (BAR * job.runs().share()));
         bar.setVisible(!now.state().ended());
-        size.setText(shown.width + " \u00D7 " + shown.height + ", " + job.request().stage());
+        right.setVisible(shown != null);
+        size.setText(shown == null ? "" : shown.width + " \u00D7 " + shown.height + ", " + job.request().stage());
         String counted = job.runs().traced(now.state() == RenderJob.State.FINISHED) + ", " + Progress.time(now.seconds());
         said = said && job == told && !job.isPaused() && now.state() != RenderJob.State.FAILED && now.state() != RenderJob.State.CANCELLED;
         told = job;

@@ -280,7 +280,7 @@ final class ViewerFrame extends JFrame implements EditorContext {
     public void showProgress() {
         if (picture.job() != null) {
             status.unsay();
-            status.show(picture.job(), picture.job().snapshot(), picture.imageSize());
+            tell(picture.job(), picture.job().snapshot());
         }
     }
 
@@ -336,13 +336,13 @@ final class ViewerFrame extends JFrame implements EditorContext {
         RenderJob.Snapshot now = job.snapshot();
         if (job == doubted && now.state() == RenderJob.State.FAILED) {
             if (banner.message(GONE) != null) {
-                status.show(job, now, picture.imageSize());   // it says itself what is wrong
+                tell(job, now);   // it says itself what is wrong
             } else if (!patience.isRunning()) {
                 patience.start();
             }
             return;
         }
-        status.show(job, now, picture.imageSize());
+        tell(job, now);
         inspector.update(job);
         timeLine.update(job);
         document.outline().update(job);
@@ -355,6 +355,11 @@ final class ViewerFrame extends JFrame implements EditorContext {
             document.markProblems(job);
         }
         refreshMenus();
+    }
+
+    private void tell(RenderJob job, RenderJob.Snapshot now) {
+        status.show(job, now, picture.isBlank() ? null : picture.imageSize());
+        camera.setBlank(picture.isBlank());
     }
 
     /** Shows the errors of a file that has not changed any more. */

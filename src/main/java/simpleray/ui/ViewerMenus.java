@@ -120,8 +120,8 @@ final class ViewerMenus {
         pause.putValue(Action.SELECTED_KEY, picture.isPaused());
         regionOnly.putValue(Action.SELECTED_KEY, picture.regions().isAlone());
         this.scene.refresh(scene);
-        inspector.refresh(scene);
-        comparison.refresh();
+        inspector.refresh(scene && !picture.isBlank());
+        comparison.refresh(scene && !picture.isBlank());
         desktop.refresh();
     }
 

@@ -3,15 +3,21 @@ package simpleray.ui;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.event.KeyEvent;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
 import java.util.List;
 import javax.swing.AbstractButton;
 import javax.swing.JComponent;
 import javax.swing.JFrame;
+import javax.swing.JLabel;
 import javax.swing.JTextArea;
 import javax.swing.JTree;
 import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.io.TempDir;
 import simpleray.render.Stage;
 import simpleray.ui.desktop.Preferences;
 import simpleray.ui.file.SceneSource;
@@ -19,6 +25,8 @@ import simpleray.ui.picture.RenderJob;
 
 /** The buttons below the menus, by the mouse. */
 class ToolBarTest {
+    @TempDir
+    private Path folder;
     private OpenWindow window;
 
     @BeforeEach
@@ -107,6 +115,39 @@ class ToolBarTest {
         window.untilState(RenderJob.State.FINISHED);
         window.screen.press(KeyEvent.VK_V);
         Screen.until("the pane is there", window.viewer().sides()::isOpen);
+    }
+
+    @WindowTest
+    void ofASceneThatCannotBeReadOnlyTheTextIsOpened() throws IOException {
+        window.close();
+        Path junk = Files.writeString(folder.resolve("junk.scene"), "junk");
+        window = new OpenWindow(SceneSource.file(junk), 90, 60, made -> made.frame().setSize(820, 500));
+        window.untilProblems("junk");
+        for (int key : new int[] {KeyEvent.VK_V, KeyEvent.VK_I, KeyEvent.VK_H}) {
+            window.screen.press(key);
+        }
+        window.screen.click(window.picture());
+        for (String item : List.of("Rays", "Story of the Pixel", "Histogram", "Mark Clipped Pixels")) {
+            assertThat(OpenWindow.ask(window.item(item)::isEnabled)).as(item).isFalse();
+            assertThat(OpenWindow.ask(window.item(item)::isSelected)).as(item).isFalse();
+        }
+        assertThat(OpenWindow.ask(window.viewer().sides()::isOpen)).isFalse();
+        assertThat(label("gestures")).isEqualTo("F1: help");
+        assertThat(label("size")).isNull();
+        assertThat(label("zoom")).isNull();
+
+        Files.copy(TestScenes.THESIS, junk, StandardCopyOption.REPLACE_EXISTING);
+        window.untilState(RenderJob.State.FINISHED);
+        Screen.until("the picture is there", () -> window.item("Histogram").isEnabled() && label("zoom") != null);
+        assertThat(label("gestures")).startsWith("Click");
+        window.screen.press(KeyEvent.VK_V);
+        Screen.until("the pane is there", window.viewer().sides()::isOpen);
+    }
+
+    /** {@return the text of a label that is seen; null if it is not} */
+    private String label(String name) {
+        return OpenWindow.ask(() -> OpenWindow.all(window.frame).filter(c -> name.equals(c.getName()) && c.isShowing())
+            .map(c -> ((JLabel) c).getText()).findFirst().orElse(null));
     }
 
     private List<AbstractButton> buttons() {

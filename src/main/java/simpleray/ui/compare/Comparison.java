@@ -107,8 +107,14 @@ public final class Comparison {
         view.add(logarithmic);
     }
 
-    /** Looks at the picture if it is another than before. */
-    public void refresh() {
+    /**
+     * Looks at the picture if it is another than before.
+     *
+     * @param there whether there is a picture, or one to come
+     */
+    public void refresh(boolean there) {
+        marks.setEnabled(there || marks.isSelected());
+        histogram.setEnabled(there || histogram.isSelected());
         SimpleRay shown = window.picture();
         Picture whole = shown.whole();
         if (whole == seen) {

@@ -183,6 +183,9 @@ public final class Inspector {
      * @param pixel the pixel
      */
     public void explain(Point pixel) {
+        if (picture.isBlank()) {
+            return;
+        }
         picture.requestFocusInWindow();
         setCursor(pixel);
         storyWanted = true;
@@ -247,11 +250,16 @@ public final class Inspector {
     /**
      * Enables the items that can be used now.
      *
-     * @param opened whether there is a scene
+     * @param there whether there is a picture, or one to come; if not, what was asked of it is dropped
      */
-    public void refresh(boolean opened) {
-        storyAction.setEnabled(opened);
-        raysItem.setEnabled(opened);
+    public void refresh(boolean there) {
+        storyAction.setEnabled(there);
+        raysItem.setEnabled(there);
+        if (!there && cursor != null) {
+            untold = null;
+            storyWanted = false;
+            closeRays();
+        }
     }
 
     /**

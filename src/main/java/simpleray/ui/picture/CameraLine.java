@@ -19,6 +19,7 @@ final class CameraLine extends JPanel {
     private List<String> told = GESTURES;                     // what the text says where there is room
     private List<String> others;                              // the gestures of what is in the picture's place; null for the picture's
     private boolean known;
+    private boolean blank;                                    // there is no picture
     private final JButton home;
     private final JButton save;
     private final JButton key;                                // in place of that, if the camera has keys
@@ -61,8 +62,16 @@ final class CameraLine extends JPanel {
         tell();
     }
 
+    /** Tells nothing of a picture while there is none. */
+    void setBlank(boolean none) {
+        if (blank != none) {
+            blank = none;
+            tell();
+        }
+    }
+
     private void tell() {
-        told = home.isVisible() ? List.of("Camera moved:") : others != null ? others : known ? List.of() : GESTURES;
+        told = blank ? GESTURES.subList(GESTURES.size() - 1, GESTURES.size()) : home.isVisible() ? List.of("Camera moved:") : others != null ? others : known ? List.of() : GESTURES;
         revalidate();
         doLayout();
     }

@@ -87,6 +87,15 @@ public final class CameraMenu {
         line.setGestures(gestures);
     }
 
+    /**
+     * Tells nothing of a picture in that line while there is none.
+     *
+     * @param none whether there is no picture, and none to come
+     */
+    public void setBlank(boolean none) {
+        line.setBlank(none);
+    }
+
     /** {@return the menu} */
     public JMenu menu() {
         return menu;

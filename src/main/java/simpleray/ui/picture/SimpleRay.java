@@ -535,6 +535,11 @@ public final class SimpleRay extends ZoomedComponent implements Runnable {
         return seen;
     }
 
+    /** {@return whether there is no picture, and none to come: no scene was opened, or it could not be read} */
+    public boolean isBlank() {
+        return job == null || seen == null && job.state() == RenderJob.State.FAILED;
+    }
+
     /**
      * {@return whether the picture has a pixel}
      *
