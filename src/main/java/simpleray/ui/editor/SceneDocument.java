@@ -42,6 +42,7 @@ public final class SceneDocument {
     private byte[] bytes;                                     // the file's; null if there is none
     private SceneDisk.Answer other;                           // the bytes that another program wrote while there are unsaved changes
     private boolean changed;
+    private SceneDisk.Answer copied;                          // what was written into the file that is opened next; null for nothing
     private boolean gone;                                     // the file: the text is nowhere else
     private SceneSource own;                                  // of the text that was rendered without saving it
     private String ownText;
@@ -64,16 +65,23 @@ public final class SceneDocument {
     }
 
     /**
-     * Takes another scene, and drops the text of the one before.
+     * Takes another scene, and drops the text of the one before, unless that was written into the file.
      *
      * @param opened the scene
      */
     public void open(SceneSource opened) {
         source = opened;
-        saved = null;
-        bytes = null;
         gone = false;
         next = () -> { };
+        if (copied != null) {
+            take(copied);
+            editor.area().replaceAll(saved.text());           // what was typed can still be undone
+            window.showFaults(null);
+            refresh();
+            return;
+        }
+        saved = null;
+        bytes = null;
         resolve();
         if (editor != null) {
             editor.begin("");
@@ -519,7 +527,9 @@ public final class SceneDocument {
                 if (seen.get()) {
                     window.camera().release();
                 }
+                copied = answer;
                 window.open(SceneSource.file(path, source.reach()));
+                copied = null;
                 window.say("Saved " + path + (seen.get() ? " with the view on the screen" : !other ? ""
                     : view == null ? " without the moved view: its camera has keys" : " without the moved view: the text has errors")
                     + answer.note());

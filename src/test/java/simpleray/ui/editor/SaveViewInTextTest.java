@@ -12,6 +12,7 @@ import java.nio.file.Path;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.io.TempDir;
+import simpleray.ui.FileDialog;
 import simpleray.ui.OpenWindow;
 import simpleray.ui.Screen;
 import simpleray.ui.TestScenes;
@@ -77,6 +78,27 @@ class SaveViewInTextTest {
         assertThat(Files.readString(scene)).isEqualTo(typed + CAMERA);
         window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_L);
         Screen.until("now a command line can name it", () -> copied().contains(" render " + scene));
+    }
+
+    @WindowTest
+    void savedElsewhereTheTextKeepsItsUndoAndTheViewIsOneStepOfIt() throws IOException {
+        String typed = SCENE.replace("0.6", "0.9");
+        OpenWindow.run(() -> window.document().editor().area().replaceAll(typed));
+        Path other = folder.resolve("other.scene");
+        window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_ALT, KeyEvent.VK_S);
+        new FileDialog(window.screen).enter(other);
+        Screen.until("it is opened", () -> other.equals(window.picture().source().path()) && !window.picture().isBusy());
+        assertThat(Files.readString(other)).isEqualTo(typed + CAMERA);
+        assertThat(OpenWindow.ask(() -> window.document().isChanged())).isFalse();
+        assertThat(OpenWindow.ask(() -> window.document().text())).isEqualTo(typed + CAMERA);
+
+        OpenWindow.run(() -> window.document().editor().area().undoLastAction());
+        assertThat(OpenWindow.ask(() -> window.document().text())).isEqualTo(typed);
+        OpenWindow.run(() -> window.document().editor().area().undoLastAction());
+        assertThat(OpenWindow.ask(() -> window.document().text())).isEqualTo(SCENE);
+        Screen.until("it is rendered", () -> window.picture().source() != null && !window.picture().isBusy()
+            && window.picture().whole() != null && window.picture().job().snapshot().settings().camera == null);
+        assertThat(OpenWindow.ask(() -> window.document().isChanged())).isTrue();
     }
 
     private static String copied() {
