@@ -239,7 +239,9 @@ final class ViewerFrame extends JFrame implements EditorContext {
             refresh();                                        // one that failed because of that is over
         } else {
             banner.hide(GONE);
-            document.fileChanged();
+            if (news == SceneWatcher.News.CHANGED) {
+                document.fileChanged();
+            }
         }
     }
 

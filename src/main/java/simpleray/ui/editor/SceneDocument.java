@@ -426,14 +426,16 @@ public final class SceneDocument {
      * Takes a text that this program has made of the one in the editor; saves it if that one was saved.
      *
      * @param text the text
+     * @param done what was done, for a message that goes on to say where
      */
-    public void replace(String text) {
+    public void replace(String text, String done) {
         boolean clean = !changed;
         editor.area().replaceAll(text);
         if (clean && source.path() != null) {
-            save();
+            save(done + " in ", () -> { });
         } else {
             render();
+            window.say(done + " in the text, which is not saved yet");
         }
     }
 
@@ -442,8 +444,12 @@ public final class SceneDocument {
         save(() -> { });
     }
 
-    /** Writes the text, and does something when it is written. */
     private void save(Runnable then) {
+        save("Saved ", then);
+    }
+
+    /** Writes the text, and does something when it is written; a message says what was done, and then names the file. */
+    private void save(String done, Runnable then) {
         if (saved == null) {
             return;
         }
@@ -470,10 +476,10 @@ public final class SceneDocument {
                 if (window.picture().source() == own && text.equals(ownText)) {
                     window.picture().setSource(source);
                     window.saved(own, source);
-                    window.say("Saved " + source.path() + answer.note());
                 } else {
                     render(source);
                 }
+                window.say(done + source.path() + answer.note());   // the rendering that saving begins leaves it there
                 then.run();
             }
         });

@@ -33,7 +33,9 @@ public final class SceneWatcher implements Closeable {
         /** The scene's file or one of its meshes is another. */
         CHANGED,
         /** The scene's file is gone. */
-        DELETED
+        DELETED,
+        /** The scene's file was deleted, and this program has written it again. */
+        RESTORED
     }
 
     /**
@@ -128,7 +130,7 @@ public final class SceneWatcher implements Closeable {
         } else if (!now.isEmpty() && known.get(scene).there()) {
             boolean onlyOurs = now.size() == 1 && now.containsKey(scene) && ours != null && now.get(scene).isSame(ours);
             if (deleted || !onlyOurs) {
-                tell(News.CHANGED);
+                tell(onlyOurs ? News.RESTORED : News.CHANGED);
             }
             deleted = false;
         }

@@ -8,7 +8,7 @@ import java.io.IOException;
 import java.nio.file.FileSystemException;
 import java.util.List;
 import java.util.concurrent.Executor;
-import java.util.function.Consumer;
+import java.util.function.BiConsumer;
 import java.util.function.Supplier;
 import javax.swing.Action;
 import javax.swing.JComponent;
@@ -41,9 +41,9 @@ public final class CameraMenu {
      *
      * @param window the window
      * @param text supplies the scene's text as it is edited; null if it is not
-     * @param replacement takes the text with another view in it
+     * @param replacement takes the text with another view in it, and what was done
      */
-    public CameraMenu(ViewerContext window, Supplier<String> text, Consumer<String> replacement) {
+    public CameraMenu(ViewerContext window, Supplier<String> text, BiConsumer<String, String> replacement) {
         this.window = window;
         picture = window.picture();
         writer = window.workers().finishing("simpleray-view");
@@ -150,7 +150,7 @@ public final class CameraMenu {
         } else if (hasKeys()) {
             window.say("The camera has keys: Camera > Set Camera Key writes this view as one of them");
         } else if (edit.isPossible() && tool.isOther()) {
-            edit.make((bytes, path, reach) -> ViewLines.put(bytes, path, view, reach), tool::release);
+            edit.make((bytes, path, reach) -> ViewLines.put(bytes, path, view, reach), "Saved the view", tool::release);
         } else if (!(picture.source() instanceof FileSource file)) {
             edit.tell("The scene is in no file yet: File > Save Scene As\u2026 writes one");
         } else if (!tool.isOther()) {
@@ -203,17 +203,21 @@ public final class CameraMenu {
         }
         Pose pose = shortest(free).camera;
         ViewLines.Change change = (bytes, path, reach) -> ViewLines.putKey(bytes, path, now.frame(), pose, reach);
+        String done = "Set the camera's key at frame " + now.frame();
         if (edit.isPossible()) {
-            edit.make(change, tool::release);
+            edit.make(change, done, tool::release);
         } else if (picture.source() instanceof FileSource file) {
             writer.execute(() -> {
                 String failure = failure(file, change);
+                if (failure == null) {
+                    window.wroteScene();                       // else it would be read twice
+                }
                 SwingUtilities.invokeLater(() -> {
                     if (failure != null) {
                         edit.tell(file.name() + '\n' + failure);
                     } else if (window.frame().isDisplayable() && picture.source() == file) {
-                        tool.release();                       // the changed file is read as one that another program has changed
-                        window.say("Set the camera's key at frame " + now.frame() + " in " + file.name() + file.note());
+                        tool.adopt();
+                        window.say(done + " in " + file.name() + file.note());
                     }
                 });
             });

@@ -4,6 +4,7 @@ import java.awt.event.KeyEvent;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import javax.swing.JMenu;
@@ -40,9 +41,10 @@ public final class PictureSettings {
      * @param window the window
      * @param opener shows the scene's text, and then runs a task
      * @param text supplies the scene's text as it is edited
-     * @param replacement takes the text with other settings in it
+     * @param replacement takes the text with other settings in it, and what was done
      */
-    public PictureSettings(ViewerContext window, Consumer<Runnable> opener, Supplier<String> text, Consumer<String> replacement) {
+    public PictureSettings(ViewerContext window, Consumer<Runnable> opener, Supplier<String> text,
+                           BiConsumer<String, String> replacement) {
         this.window = window;
         this.opener = opener;
         picture = window.picture();
@@ -154,6 +156,7 @@ public final class PictureSettings {
             window.say("The scene has these settings already");
             return;
         }
-        edit.make((bytes, path, reach) -> ViewLines.putSettings(bytes, path, chosen, reach), () -> request(this::reset));
+        edit.make((bytes, path, reach) -> ViewLines.putSettings(bytes, path, chosen, reach),
+            "Set " + chosen.lines().strip().replace("\n", "; "), () -> request(this::reset));
     }
 }

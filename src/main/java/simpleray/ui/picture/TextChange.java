@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.concurrent.Executor;
-import java.util.function.Consumer;
+import java.util.function.BiConsumer;
 import java.util.function.Supplier;
 import javax.swing.JOptionPane;
 import javax.swing.SwingUtilities;
@@ -16,7 +16,7 @@ import simpleray.ui.file.SceneSource;
 final class TextChange {
     private final ViewerContext window;
     private final Supplier<String> text;
-    private final Consumer<String> replacement;
+    private final BiConsumer<String, String> replacement;
     private final Executor writer;
     private final String title;
 
@@ -25,11 +25,11 @@ final class TextChange {
      *
      * @param window the window
      * @param text supplies the scene's text as it is edited; null if it is not
-     * @param replacement takes the changed text
+     * @param replacement takes the changed text, and what was done
      * @param writer reads and changes texts
      * @param title the title of a message about a failure
      */
-    TextChange(ViewerContext window, Supplier<String> text, Consumer<String> replacement, Executor writer, String title) {
+    TextChange(ViewerContext window, Supplier<String> text, BiConsumer<String, String> replacement, Executor writer, String title) {
         this.window = window;
         this.text = text;
         this.replacement = replacement;
@@ -46,9 +46,10 @@ final class TextChange {
      * Changes the text, in the background; a failure is told.
      *
      * @param change the change
+     * @param done what the change does, as said when it is done
      * @param before is run before the changed text is taken
      */
-    void make(ViewLines.Change change, Runnable before) {
+    void make(ViewLines.Change change, String done, Runnable before) {
         SceneSource source = window.picture().source();
         String edited = text.get();
         Path path = source.home() == null ? Path.of(source.name().replaceAll("[<>]", "")) : source.home();
@@ -72,7 +73,7 @@ final class TextChange {
                     tell(source.name() + '\n' + why);
                 } else if (edited.equals(text.get())) {       // which may be rendered by now from a source of its own
                     before.run();
-                    replacement.accept(made);
+                    replacement.accept(made, done);
                 } else {
                     window.say("The text was changed meanwhile: try again");
                 }

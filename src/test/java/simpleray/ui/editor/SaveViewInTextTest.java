@@ -57,6 +57,7 @@ class SaveViewInTextTest {
         window.untilState(RenderJob.State.FINISHED);
         assertThat(OpenWindow.ask(() -> window.picture().request().settings().camera)).isNull();
         assertThat(OpenWindow.ask(() -> window.banner().message("conflict"))).isNull();
+        assertThat(window.status()).isEqualTo("Saved the view in " + scene);
     }
 
     @WindowTest

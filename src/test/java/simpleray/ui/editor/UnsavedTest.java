@@ -146,6 +146,19 @@ class UnsavedTest {
 
         Screen.until("the banner is gone", () -> window.banner().message("gone") == null);
         assertThat(Files.readString(scene)).isEqualTo(TEXT);
+        window.untilState(RenderJob.State.FINISHED);
+        assertThat(window.status()).isEqualTo("Saved " + scene);
+    }
+
+    @WindowTest
+    void whatIsSavedAtOnceAfterTypingIsTold() {
+        openChanged();
+        window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_S);
+
+        Screen.until("it is told", () -> window.status().equals("Saved " + scene));
+        window.untilShown("my picture", TestScenes.rendered(scene, SIDE, SIDE));
+        window.untilState(RenderJob.State.FINISHED);
+        assertThat(window.status()).isEqualTo("Saved " + scene);
     }
 
     @WindowTest

@@ -201,6 +201,8 @@ class TimeLineTest {
             assertThat(Double.parseDouble(key.group(1))).isCloseTo(away, within(1e-3));
             assertThat(Files.readString(film)).contains("\nkey 9 camera 0 0 3  0 0 0  50\n");
             window.untilShown("frame 4, with the key", frame(film, 4));
+            window.untilState(RenderJob.State.FINISHED);
+            assertThat(window.status()).isEqualTo("Set the camera's key at frame 4 in " + film);
             assertThat(OpenWindow.ask(() -> window.picture().request().settings().camera)).isNull();
         }
     }
