@@ -144,8 +144,12 @@ final class SceneArea extends RSyntaxTextArea {
         super.undoLastAction();
     }
 
-    /** Replaces the text, except for an equal start and end, so that carets stay and it can be undone. */
-    void replaceAll(String text) {
+    /**
+     * Replaces the text, except for an equal start and end, so that carets stay and it can be undone.
+     *
+     * @return the offset of the last letter that was replaced
+     */
+    int replaceAll(String text) {
         String now = getText();
         int same = 0;
         int least = Math.min(now.length(), text.length());
@@ -157,6 +161,7 @@ final class SceneArea extends RSyntaxTextArea {
             below++;
         }
         replaceRange(text.substring(same, text.length() - below), same, now.length() - below);
+        return Math.max(same, text.length() - below - 1);
     }
 
     /** {@return the object or light under the mouse, or else at the caret; null for none} */

@@ -430,7 +430,7 @@ public final class SceneDocument {
      */
     public void replace(String text, String done) {
         boolean clean = !changed;
-        editor.area().replaceAll(text);
+        editor.area().setCaretPosition(editor.area().replaceAll(text));   // which brings it into sight
         if (clean && source.path() != null) {
             save(done + " in ", () -> { });
         } else {

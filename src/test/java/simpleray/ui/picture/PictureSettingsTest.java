@@ -4,12 +4,16 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.Dimension;
 import java.awt.event.KeyEvent;
+import java.awt.geom.Point2D;
+import java.awt.geom.Rectangle2D;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import javax.swing.JMenu;
 import javax.swing.JMenuItem;
+import javax.swing.text.BadLocationException;
+import javax.swing.text.JTextComponent;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.io.TempDir;
@@ -69,6 +73,32 @@ class PictureSettingsTest {
         window.untilState(RenderJob.State.FINISHED);
         assertThat(OpenWindow.ask(() -> window.picture().request().settings().samples)).as("asked for beside the scene").isNull();
         assertThat(window.job().snapshot().settings().samples).isEqualTo(3);
+        assertThat(window.status()).isEqualTo("Set resolution 90 60; depth 10; samples 3 in " + scene);
+    }
+
+    @WindowTest
+    void whatIsWrittenIsInSight() {
+        String much = SCENE + "# a remark\n".repeat(300) + "depth 3\n";
+        TestScenes.write(scene, much);
+        Screen.until("it is read", () -> window.picture().job().snapshot().film() != null
+            && Integer.valueOf(3).equals(window.picture().job().snapshot().film().scene().settings.depth));
+        window.untilState(RenderJob.State.FINISHED);
+        choose("Samples", "3 \u00D7 3 a pixel");
+        window.untilState(RenderJob.State.FINISHED);
+        OpenWindow.run(window.item("Write into the Scene")::doClick);
+
+        Screen.until("the file has it", () -> read().equals(much + "resolution 90 60\nsamples 3\n"));
+        JTextComponent text = OpenWindow.appears("the text", JTextComponent.class, area -> "scene-text".equals(area.getName()));
+        Screen.until("the line is in sight", () -> text.getVisibleRect().contains(center(text, text.getText().indexOf("samples 3"))));
+    }
+
+    private static Point2D center(JTextComponent text, int offset) {
+        try {
+            Rectangle2D letter = text.modelToView2D(offset);
+            return new Point2D.Double(letter.getCenterX(), letter.getCenterY());
+        } catch (BadLocationException e) {
+            throw new IllegalStateException(e);
+        }
     }
 
     @WindowTest
