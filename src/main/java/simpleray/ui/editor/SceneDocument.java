@@ -573,7 +573,7 @@ public final class SceneDocument {
     }
 
     /** Gives up the changes that are not saved. */
-    void forget() {
+    public void forget() {
         changed = false;
         gone = false;
     }
