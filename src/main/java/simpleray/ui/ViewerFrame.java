@@ -105,7 +105,13 @@ final class ViewerFrame extends JFrame implements EditorContext {
         pictured.add(camera.line(), BorderLayout.SOUTH);
         pictured.setMinimumSize(new Dimension());
         sides.setLeftComponent(pictured);
-        sides.setKeeper(this::keep);
+        sides.setKeeper(change -> {
+            if (picture.isPlaced()) {
+                picture.keepOrFit(change);
+            } else {
+                change.run();
+            }
+        });
         PictureSettings settings = new PictureSettings(this, document::show, document::text, document::replace);
         menus = new ViewerMenus(picture, dialogs, desktop, new SceneMenu(document, problems), inspector, comparison, camera, timeLine,
             settings, this::close);
@@ -208,15 +214,6 @@ final class ViewerFrame extends JFrame implements EditorContext {
             sides.setLeftComponent(pictured);
             validate();
             picture.requestFocusInWindow();
-        }
-    }
-
-    /** Changes the window so that a picture that is there stays where it is, or is fitted near its place. */
-    private void keep(Runnable change) {
-        if (!picture.isPlaced()) {
-            change.run();
-        } else {
-            picture.keepOrFit(change);
         }
     }
 
@@ -394,7 +391,12 @@ final class ViewerFrame extends JFrame implements EditorContext {
             return;                                           // the same as before: the selection stays
         }
         problems.show(text, report.places());
-        keep(() -> showProblems(text.isEmpty() ? null : new JScrollPane(problems)));
+        JScrollPane pane = text.isEmpty() ? null : new JScrollPane(problems);
+        if (picture.isPlaced()) {
+            picture.keepAbove(() -> showProblems(pane));
+        } else {
+            showProblems(pane);
+        }
     }
 
     /** {@return the room below a picture that is there, which problems may take without moving it; it leaves two lines} */

@@ -345,7 +345,7 @@ public final class RenderJob {
      */
     public byte[] bytesOf(Path file) {
         SourceText text = file.equals(source.path()) ? text() : null;
-        return text == null || !text.name().equals(file.getFileName().toString()) ? null : text.bytes();
+        return text == null || !file.endsWith(text.name()) ? null : text.bytes();
     }
 
     /** {@return how far it is now} */

@@ -112,12 +112,25 @@ abstract class ZoomedComponent extends DrawnComponent implements Scrollable {
     }
 
     /**
-     * Changes the window so that the picture stays where it is, if all of a fitted one is still seen there. Else it is fitted anew, near
-     * its place, and again when another such change gives it more room.
+     * Changes the window so that a fitted picture stays where it is, if all of it is still seen there. Else it is fitted anew, near its
+     * place. One that is not fitted is laid out anew.
      *
      * @param change changes the window, and lays it out
      */
     public final void keepOrFit(Runnable change) {
+        if (zoom.fitted()) {
+            keep(change, true);
+        } else {
+            change.run();
+        }
+    }
+
+    /**
+     * Changes what is below the picture so that this stays where it is, or else, if it is fitted, is fitted near its place.
+     *
+     * @param change changes the window, and lays it out
+     */
+    public final void keepAbove(Runnable change) {
         keep(change, zoom.fitted());
     }
 
