@@ -207,7 +207,11 @@ public final class FilmRenderer {
 
         @Override
         void close() throws IOException {
-            target.close();
+            try {
+                target.close();
+            } catch (IOException e) {
+                throw notWritten(name, e.getMessage());
+            }
         }
     }
 

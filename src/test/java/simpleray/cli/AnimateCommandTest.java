@@ -469,4 +469,32 @@ class AnimateCommandTest {
         assertThat(files()).isEqualTo(NAMES);
         assertThat(bytes("f.3.png")).isEqualTo(whole);
     }
+
+    /** Frames 0 to 4 are alike: whether rendered or written again, the one that cannot be written is named. */
+    @ParameterizedTest
+    @ValueSource(ints = {0, 1})
+    void aFrameThatTheDiskDoesNotTakeIsNamed(int frame) throws IOException {
+        assumeTrue(Files.exists(Path.of("/dev/full")), "no full device here");
+        Files.createSymbolicLink(folder.resolve("f." + frame + ".png"), Path.of("/dev/full"));
+        Files.writeString(folder.resolve("holds.scene"), STILL + "frames 5 24\n");
+        Program.Result result = run("animate @holds.scene -o @f.%d.png -q");
+
+        assertThat(result.exitCode()).isEqualTo(ExitCode.WRITE_ERROR);
+        assertThat(result.err()).startsWith("simpleray: " + folder.resolve("f." + frame + ".png") + ": cannot be written: ").hasLineCount(1);
+    }
+
+    @Test
+    void whereNothingCanBeCreatedNothingIsWritten() throws IOException {
+        Files.createDirectory(folder.resolve("f.1.png"));
+        Files.writeString(folder.resolve("g.gif.frames"), "a file");
+        Files.writeString(folder.resolve("holds.scene"), STILL + "frames 5 24\n");
+        Program.Result frames = run("animate @holds.scene -o @f.%d.png -q");
+        Program.Result film = run("animate @holds.scene -o @g.gif -q");
+
+        assertThat(frames.exitCode()).isEqualTo(ExitCode.NO_OUTPUT);
+        assertThat(frames.err()).contains("f.1.png: cannot be created: ").hasLineCount(1);
+        assertThat(film.exitCode()).isEqualTo(ExitCode.NO_OUTPUT);
+        assertThat(film.err()).contains("g.gif.frames").hasLineCount(1);
+        assertThat(files()).containsExactly("f.0.png", "f.1.png", "g.gif.frames");
+    }
 }
