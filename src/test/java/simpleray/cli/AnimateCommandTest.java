@@ -497,4 +497,16 @@ class AnimateCommandTest {
         assertThat(film.err()).contains("g.gif.frames").hasLineCount(1);
         assertThat(files()).containsExactly("f.0.png", "f.1.png", "g.gif.frames");
     }
+
+    @Test
+    void whatFfmpegCannotTakeIsRefusedAtOnce() throws IOException {
+        Files.createSymbolicLink(folder.resolve("f.mp4"), Path.of("/dev/null"));
+        Program.Result device = run("animate @film.scene -o @f.mp4");
+        Program.Result large = run("animate @film.scene -o @g.mp4 --size 40000x40000");
+
+        assertThat(device.exitCode()).isEqualTo(ExitCode.USAGE);
+        assertThat(device.err()).contains("f.mp4 is no file, which ffmpeg needs").hasLineCount(1);
+        assertThat(large.exitCode()).isEqualTo(ExitCode.USAGE);
+        assertThat(large.err()).contains("a film of frames of 40000x40000 is too large for ffmpeg").hasLineCount(1);
+    }
 }
