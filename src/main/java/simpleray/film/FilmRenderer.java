@@ -501,7 +501,7 @@ public final class FilmRenderer {
             try {
                 for (int f = frames.nextSetBit(0); f >= 0; f = frames.nextSetBit(f + 1)) {
                     OpenFrame before = open.peekLast();
-                    if (!kept.get(f) && before != null && areSame(before.number, f)) {
+                    if (!kept.get(f) && before != null && turned == null && film.areSame(before.number, f)) {
                         before.same.add(f);
                     } else if (!kept.get(f)) {
                         finish(ahead);
@@ -514,11 +514,6 @@ public final class FilmRenderer {
             }
         }
         renderSeconds = Math.max(0, Progress.seconds(start, System.nanoTime()) - readySeconds);
-    }
-
-    private boolean areSame(int one, int other) {
-        int last = film.frames() - 1;
-        return turned == null && film.areSame(Math.min(one, last), Math.min(other, last));
     }
 
     private static long parts(Scene scene) {
