@@ -27,7 +27,10 @@ import javax.swing.JMenuItem;
 import javax.swing.SwingUtilities;
 import javax.swing.Timer;
 
-/** The screen as a user has it: keys, the mouse, and what can be seen. It waits for what is to happen, never for a time to pass. */
+/**
+ * The screen as a user has it: keys, the mouse, and what can be seen. It waits for what is to happen; for a
+ * time to pass only where nothing is to.
+ */
 public final class Screen {
     /** What is around a picture, and where a picture has no rows yet. */
     public static final int SURROUND = 0x3C3F41;
@@ -69,6 +72,17 @@ public final class Screen {
         if (fault.get() != null) {
             throw new AssertionError("cannot tell whether " + what, fault.get());
         }
+    }
+
+    /** Lets a time pass on the event thread, in milliseconds, where something must not happen. */
+    public static void pause(int milliseconds) {
+        CountDownLatch over = new CountDownLatch(1);
+        OpenWindow.run(() -> {
+            Timer later = new Timer(milliseconds, e -> over.countDown());
+            later.setRepeats(false);
+            later.start();
+        });
+        until("a pause is over", () -> over.getCount() == 0);
     }
 
     /** Presses keys together, the last one briefly, and waits until the program has done what it does upon that. */

@@ -15,14 +15,12 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.concurrent.CountDownLatch;
 import java.util.stream.Collectors;
 import javax.swing.AbstractButton;
 import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JTextField;
 import javax.swing.SwingUtilities;
-import javax.swing.Timer;
 import javax.swing.UIManager;
 import javax.swing.text.BadLocationException;
 import javax.swing.text.JTextComponent;
@@ -87,13 +85,7 @@ class SceneEditorTest {
 
     /** Waits until what was typed is checked, and its errors are shown. */
     private void pause() {
-        CountDownLatch over = new CountDownLatch(1);
-        OpenWindow.run(() -> {
-            Timer later = new Timer(PAUSE, e -> over.countDown());
-            later.setRepeats(false);
-            later.start();
-        });
-        Screen.until("a pause is over", () -> over.getCount() == 0);
+        Screen.pause(PAUSE);
     }
 
     private boolean isCaretSeen() {

@@ -16,7 +16,6 @@ import java.util.concurrent.CountDownLatch;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JTree;
-import javax.swing.Timer;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -204,13 +203,7 @@ class FitTest {
 
     /** Waits until a picture would be rendered anew. */
     private void pause() {
-        CountDownLatch over = new CountDownLatch(1);
-        OpenWindow.run(() -> {
-            Timer later = new Timer(PAUSE, e -> over.countDown());
-            later.setRepeats(false);
-            later.start();
-        });
-        Screen.until("a pause is over", () -> over.getCount() == 0);
+        Screen.pause(PAUSE);
         Screen.until("it is settled", () -> window.picture().isSettled() && !window.picture().isBusy());
     }
 
