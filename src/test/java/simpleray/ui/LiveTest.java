@@ -47,7 +47,6 @@ class LiveTest {
 
     @AfterEach
     void close() {
-        OpenWindow.run(() -> window.document().forget());      // the text of a file that was deleted is asked for
         window.close();
     }
 

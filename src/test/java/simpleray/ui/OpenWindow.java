@@ -3,6 +3,7 @@ package simpleray.ui;
 import com.formdev.flatlaf.FlatLightLaf;
 import java.awt.Component;
 import java.awt.Container;
+import java.awt.Dialog;
 import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.Window;
@@ -16,6 +17,7 @@ import java.util.concurrent.FutureTask;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
@@ -26,6 +28,7 @@ import javax.swing.JFrame;
 import javax.swing.JLabel;
 import javax.swing.JMenuItem;
 import javax.swing.JScrollPane;
+import javax.swing.MenuSelectionManager;
 import javax.swing.SwingUtilities;
 import javax.swing.text.JTextComponent;
 import simpleray.render.RenderRequest;
@@ -50,6 +53,8 @@ public final class OpenWindow implements AutoCloseable {
     public final Screen screen = new Screen();
     public final JFrame frame;
     public final AtomicBoolean closed = new AtomicBoolean();
+    private static final int MAX_LEFT = 6;
+    private static final AtomicInteger LEFT = new AtomicInteger();   // windows that were opened since one was closed
     private final ViewerFrame viewer;
     private final Queue<Throwable> uncaught = new ConcurrentLinkedQueue<>();
 
@@ -60,6 +65,9 @@ public final class OpenWindow implements AutoCloseable {
 
     /** Does something with the window, shows it, and waits until it has the keys. */
     public OpenWindow(SceneSource source, int width, int height, Consumer<ViewerContext> first) {
+        if (LEFT.getAndIncrement() >= MAX_LEFT) {             // each one more would take minutes
+            throw new AssertionError("none of " + MAX_LEFT + " windows before this one was closed: their tests tell why");
+        }
         Thread.setDefaultUncaughtExceptionHandler((thread, thrown) -> {      // of one window at a time
             thrown.printStackTrace();
             if (Arrays.stream(thrown.getStackTrace()).map(StackTraceElement::getClassName)
@@ -144,6 +152,11 @@ public final class OpenWindow implements AutoCloseable {
     public static List<String> threads() {
         return Thread.getAllStackTraces().keySet().stream().map(Thread::getName).filter(name -> name.startsWith("simpleray-"))
             .sorted().collect(Collectors.toList());
+    }
+
+    private static String stacks() {
+        return Thread.getAllStackTraces().entrySet().stream().filter(thread -> thread.getKey().getName().startsWith("simpleray-"))
+            .map(thread -> thread.getKey() + " at " + Arrays.toString(thread.getValue())).collect(Collectors.joining("; "));
     }
 
     ViewerFrame viewer() {
@@ -252,10 +265,22 @@ public final class OpenWindow implements AutoCloseable {
         });
     }
 
+    /** Closes the window, and what the test has left open or pressed, if it failed; changes of the text are given up. */
     @Override
     public void close() {
-        run(viewer::close);
-        Screen.until("all threads end", () -> threads().isEmpty());
+        screen.release();
+        run(() -> {
+            MenuSelectionManager.defaultManager().clearSelectedPath();
+            Arrays.stream(Window.getWindows()).filter(window -> window instanceof Dialog && window.isShowing()).forEach(Window::dispose);
+            document().forget();
+            viewer.close();
+        });
+        try {
+            Screen.until("all threads end", () -> threads().isEmpty());
+        } catch (AssertionError e) {
+            throw new AssertionError(threads() + " did not end: " + stacks(), e);
+        }
+        LEFT.set(0);
         Thread.setDefaultUncaughtExceptionHandler(null);
         if (!uncaught.isEmpty()) {
             throw new AssertionError("an event or a thread of the window threw", uncaught.peek());

@@ -111,6 +111,14 @@ public final class Screen {
         }
     }
 
+    /** Lets go of what a test that failed still presses. */
+    void release() {
+        robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK | InputEvent.BUTTON2_DOWN_MASK | InputEvent.BUTTON3_DOWN_MASK);
+        for (int key : new int[] {KeyEvent.VK_SHIFT, KeyEvent.VK_CONTROL, KeyEvent.VK_ALT}) {
+            robot.keyRelease(key);
+        }
+    }
+
     /** Types text as on a keyboard of the USA. */
     public void type(String text) {
         for (char c : text.toCharArray()) {

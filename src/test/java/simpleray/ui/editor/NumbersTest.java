@@ -59,7 +59,6 @@ class NumbersTest {
 
     @AfterEach
     void close() {
-        OpenWindow.run(() -> window.document().forget());
         window.close();
     }
 

@@ -43,7 +43,6 @@ class SaveViewInTextTest {
 
     @AfterEach
     void close() {
-        OpenWindow.run(() -> window.document().forget());
         window.close();
     }
 

@@ -58,7 +58,6 @@ class SceneEditorTest {
 
     @AfterEach
     void close() {
-        OpenWindow.run(() -> window.document().forget());
         window.close();
     }
 

@@ -37,7 +37,6 @@ class UnsavedTest {
 
     @AfterEach
     void close() {
-        OpenWindow.run(() -> window.document().forget());
         window.close();
     }
 
