@@ -25,6 +25,7 @@ public final class SidePanes extends JSplitPane {
     private JComponent pixel;
     private transient Consumer<Runnable> keeper = Runnable::run;
     private boolean wide;                                     // what is beside the picture now takes all that the picture leaves
+    private int given;                                        // the width that it has given to what is elsewhere in the window
 
     /** Creates a pane with nothing in it. */
     public SidePanes() {
@@ -54,15 +55,24 @@ public final class SidePanes extends JSplitPane {
     }
 
     /**
-     * Shows or hides something elsewhere in the window, so that the picture keeps its place if it can, and its share.
+     * Shows or hides something elsewhere in the window, so that the picture keeps its place if it can, and its share: first, what is beside it
+     * gives of its room, and gets that back later.
      *
      * @param change changes the window
      */
     public void change(Runnable change) {
         keeper.accept(() -> {
+            int width = getWidth();
+            int side = width - getDividerLocation();
             change.run();
             getRootPane().validate();
-            leaveShare();
+            if (isOpen()) {
+                int spare = Math.max(0, side - DIVIDER - getRightComponent().getMinimumSize().width);
+                int gives = Math.max(-given, Math.min(width - getWidth(), spare));
+                given += gives;
+                setDividerLocation(getWidth() - side + gives);
+                leaveShare();
+            }
             validate();
         });
     }
@@ -164,6 +174,7 @@ public final class SidePanes extends JSplitPane {
         int alone = width - DIVIDER - side.getPreferredSize().width;
         wide = text != null || alone < half();
         setResizeWeight(wide ? HALF : 1);
+        given = keep && wide ? given : 0;
         setDividerLocation(keep && wide ? Math.max(divider, least()) : three ? least()
             : Math.max(wide ? half() : alone, Math.min(free, width - DIVIDER - side.getMinimumSize().width)));
         validate();

@@ -142,8 +142,8 @@ class FitTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"1364, 742, 100", "1090, 589, 200"})
-    void aPaneThatOpensOrClosesMovesNoPictureThatFitsBesideIt(int width, int height, int near) throws Exception {
+    @CsvSource({"1364, 742", "1090, 589"})
+    void aPaneThatOpensOrClosesMovesNoPictureThatFitsBesideIt(int width, int height) throws Exception {
         open(TestScenes.THESIS, new RenderRequest());
         OpenWindow.run(() -> window.frame.setSize(width, height));
         untilItFits();
@@ -155,7 +155,7 @@ class FitTest {
             toggle(item);
             Rectangle now = OpenWindow.ask(this::onScreen);
             assertThat(now.getSize()).as(item).isEqualTo(before.getSize());
-            assertThat(now.getLocation().distance(before.getLocation())).as(item).isLessThanOrEqualTo(near);
+            assertThat(now.getLocation().distance(before.getLocation())).as(item).isLessThanOrEqualTo(NEAR);
             assertThat(OpenWindow.ask(this::isWhole)).as(item).isTrue();
             assertThat(window.job()).as(item).isSameAs(job);
         }
