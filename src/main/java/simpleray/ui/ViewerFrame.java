@@ -107,7 +107,7 @@ final class ViewerFrame extends JFrame implements EditorContext {
         sides.setLeftComponent(pictured);
         sides.setKeeper(change -> {
             if (picture.isPlaced()) {
-                picture.keepOrFit(change);
+                picture.keep(change, true);
             } else {
                 change.run();
             }
@@ -393,7 +393,7 @@ final class ViewerFrame extends JFrame implements EditorContext {
         problems.show(text, report.places());
         JScrollPane pane = text.isEmpty() ? null : new JScrollPane(problems);
         if (picture.isPlaced()) {
-            picture.keepAbove(() -> showProblems(pane));
+            picture.keep(() -> showProblems(pane), true);
         } else {
             showProblems(pane);
         }

@@ -629,7 +629,7 @@ public final class Inspector {
         panes.setBottomComponent(right == panes ? below : null);
         int pixel = SwingUtilities.convertRectangle(picture, place(cursor), sides).x + DIVIDER * FRAME;
         if (clicked && above == null) {
-            picture.keepPlace(() -> sides.showPixel(right, pixel));
+            picture.keep(() -> sides.showPixel(right, pixel), false);
         } else {
             sides.showPixel(right, above == null ? pixel : 0);   // beside the rays, all of the picture is seen
         }

@@ -30,8 +30,9 @@ abstract class ZoomedComponent extends DrawnComponent implements Scrollable {
     private transient Supplier<Point2D> focus = () -> MIDDLE;
     private transient Zoom.Place held;                        // from the corner of what can be seen; null if it is where the zoom says
     private Dimension heldIn;                                 // the scroll pane's size meanwhile, or since it is anchored
-    private transient Point2D anchor;                         // the part of a fitted picture that is to be near its old place; or null
+    private transient Point2D anchor;                         // the part of the picture that is to be near its old place; or null
     private transient Point2D anchoredAt;                     // that place, in screen pixels from the corner of what can be seen
+    private Dimension anchoredIn;                             // the scroll pane's size there
     private transient Zoom zoom = Zoom.FIT;
     private transient DoubleSupplier standIn;                 // tells the scale of what is shown in its place; null if it is shown itself
 
@@ -106,41 +107,18 @@ abstract class ZoomedComponent extends DrawnComponent implements Scrollable {
      * Changes the window so that the picture stays on the screen where it is, as large as it is, until its room changes again, or its zoom.
      *
      * @param change changes the window, and lays it out
+     * @param whole whether a picture that is fitted, or seen whole, is to be so still: where it does not fit at its place, it is laid out
+     *     anew, a fitted one near its place; and as it had been, once there is the room of before
      */
-    public final void keepPlace(Runnable change) {
-        keep(change, false);
-    }
-
-    /**
-     * Changes the window so that a fitted picture stays where it is, if all of it is still seen there. Else it is fitted anew, near its
-     * place. One that is not fitted is laid out anew.
-     *
-     * @param change changes the window, and lays it out
-     */
-    public final void keepOrFit(Runnable change) {
-        if (zoom.fitted()) {
-            keep(change, true);
-        } else {
-            change.run();
-        }
-    }
-
-    /**
-     * Changes what is below the picture so that this stays where it is, or else, if it is fitted, is fitted near its place.
-     *
-     * @param change changes the window, and lays it out
-     */
-    public final void keepAbove(Runnable change) {
-        keep(change, zoom.fitted());
-    }
-
-    private void keep(Runnable change, boolean whole) {
+    public final void keep(Runnable change, boolean whole) {
         if (!isShowing() || !(getParent() instanceof JViewport port) || !(port.getParent() instanceof JScrollPane pane)) {
             change.run();
             return;
         }
-        boolean anchored = isAnchored();
         Zoom.Place was = placed();
+        Point2D kept = anchor;
+        Dimension had = pane.getSize();
+        boolean seen = zoom.fitted() || getVisibleRect().contains(place());
         Point before = getLocationOnScreen();
         change.run();
         Point now = port.getLocationOnScreen();
@@ -151,13 +129,16 @@ abstract class ZoomedComponent extends DrawnComponent implements Scrollable {
             && y + was.height() <= Math.round(room.height * ui());
         heldIn = pane.getSize();
         held = null;
-        if (whole && (anchored || !fits)) {
-            if (!anchored) {
+        anchor = kept != null ? kept : anchor;                // laying out may have forgotten it
+        if (kept != null && heldIn.width >= anchoredIn.width && heldIn.height >= anchoredIn.height) {
+            forgetPlace(true);
+        } else if (whole && (kept != null || seen && !fits)) {
+            if (kept == null) {
                 anchor = focus.get();
+                anchoredIn = had;
                 anchoredAt = new Point2D.Double(x + anchor.getX() * was.width(), y + anchor.getY() * was.height());
             }
         } else {
-            anchor = null;
             held = was.at(x, y);
         }
         revalidate();

@@ -166,7 +166,7 @@ class FitTest {
     }
 
     @WindowTest
-    void aPictureThatDoesNotFitBesideAPaneIsFittedNearItsPlace() {
+    void aPictureThatDoesNotFitBesideAPaneIsFittedNearItsPlaceAndGrowsBackWhenThePaneCloses() throws Exception {
         open(TestScenes.THESIS, new RenderRequest());
         OpenWindow.run(() -> window.frame.setSize(900, 700));
         untilItFits();
@@ -176,6 +176,13 @@ class FitTest {
         Rectangle beside = OpenWindow.ask(this::onScreen);
         assertThat(beside.width).isLessThan(before.width);
         assertThat(beside.getCenterY()).as("its middle is where it was").isCloseTo(before.getCenterY(), within(1.0));
+
+        clickStays(new Point(100, 100));
+        toggle("Scene Text");                                 // in front again
+        toggle("Scene Text");
+        window.screen.press(KeyEvent.VK_SHIFT, KeyEvent.VK_I);
+        pause();
+        assertThat(OpenWindow.ask(this::onScreen)).isEqualTo(before);
     }
 
     @WindowTest
