@@ -102,6 +102,10 @@ final class ColourTool {
         AbstractColorChooserPanel[] panels = chooser.getChooserPanels();
         Collections.rotate(Arrays.asList(panels), -1);        // the swatches come first else, where most colours are not
         chooser.setChooserPanels(panels);
+        for (AbstractColorChooserPanel panel : panels) {
+            panel.setColorTransparencySelectionEnabled(false);   // three numbers have none; it rounds the colour
+        }
+        chooser.setColor(before);
         chooser.getSelectionModel().addChangeListener(e -> put(red, words, before, chooser.getColor()));
         area.beginAtomicEdit();
         try {

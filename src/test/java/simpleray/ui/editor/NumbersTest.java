@@ -16,6 +16,7 @@ import java.util.Locale;
 import java.util.stream.Stream;
 import javax.swing.JButton;
 import javax.swing.JColorChooser;
+import javax.swing.JLabel;
 import javax.swing.JSpinner;
 import javax.swing.JMenu;
 import javax.swing.JMenuItem;
@@ -212,6 +213,8 @@ class NumbersTest {
         caret("0.4 0.6");
         window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_P);
         JColorChooser chooser = OpenWindow.appears("the picker", JColorChooser.class, c -> true);
+        assertThat(OpenWindow.ask(() -> OpenWindow.all(chooser).filter(c -> c.isVisible() && c instanceof JLabel label
+            && label.getText() != null && label.getText().matches("Transparency.*|Alpha.*")).toList())).isEmpty();
         OpenWindow.run(() -> chooser.setColor(Color.RED));
         Screen.until("the text follows", () -> text().contains("1 0 0  0 0 0"));
         OpenWindow.run(OpenWindow.appears("Cancel", JButton.class, b -> b.getText().equals("Cancel"))::doClick);
