@@ -3,6 +3,7 @@ package simpleray.rays;
 import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Graphics2D;
+import java.awt.Rectangle;
 import java.awt.RenderingHints;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
@@ -52,6 +53,7 @@ public final class RayDrawing {
     private static final int MAX_STEPS = 1 << 14;
     private static final double HEAD = 11;
     private static final double HEAD_ANGLE = 0.42;
+    private static final int EYE = 5;
     private static final int MARGIN = 10;
     private static final int SAMPLE = 26;
     /** A narrower drawing has no legend: it would hide the rays. */
@@ -113,11 +115,11 @@ public final class RayDrawing {
         g.drawImage(view.image, 0, 0, view.camera.width(), view.camera.height(), null);
         g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
         g.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
-        paintCamera(g, px, py);
+        Point from = paintCamera(g, px, py);
         for (RaySegment segment : segments.subList(0, Math.min(count, segments.size()))) {
             paint(g, segment, selected != null && segment.isSame(selected));
         }
-        paintLegend(g);
+        paintLegend(g, from);
     }
 
     /** {@return the segments that are drawn, in the order of the recursion} */
@@ -279,10 +281,11 @@ public final class RayDrawing {
         g.draw(new Line2D.Double(x - half, y + half, x + half, y - half));
     }
 
-    private void paintCamera(Graphics2D g, int px, int py) {
+    /** Paints the camera. {@return where its ray begins; null if no ray begins there} */
+    private Point paintCamera(Graphics2D g, int px, int py) {
         RaySegment primary = segments.stream().filter(segment -> segment.kind() == Kind.PRIMARY).findFirst().orElse(null);
         if (primary == null || !primary.from().equals(primary.ray().ray().origin)) {
-            return;
+            return null;
         }
         int w = inside.width();
         int h = inside.height();
@@ -318,7 +321,8 @@ public final class RayDrawing {
         pixel.closePath();
         g.fill(pixel);
         paintDot(g, onPlane(px + 0.5, py + 0.5, away), 3);
-        paintDot(g, primary.from(), 5);
+        paintDot(g, primary.from(), EYE);
+        return primary.from();
     }
 
     private void paintDot(Graphics2D g, Point p, double radius) {
@@ -353,7 +357,8 @@ public final class RayDrawing {
         return PLANE * Vector.subtract(primary.from(), primary.to()).norm();
     }
 
-    private void paintLegend(Graphics2D g) {
+    /** Paints the legend at the lower left, or in the next corner where it does not cover the camera's eye, which may be null. */
+    private void paintLegend(Graphics2D g, Point from) {
         if (view.camera.width() < SMALL) {
             return;
         }
@@ -362,23 +367,33 @@ public final class RayDrawing {
         List<String> labels = new ArrayList<>(used.stream().map(Kind::label).toList());
         labels.add("behind a surface");
         int wide = labels.stream().mapToInt(label -> PixelFont.width(label.length())).max().orElse(0) + SAMPLE + 3 * MARGIN;
-        int top = view.camera.height() - MARGIN - LINE * labels.size() - MARGIN;
+        int high = LINE * labels.size() + MARGIN;
+        int right = view.camera.width() - MARGIN - wide;
+        int bottom = view.camera.height() - MARGIN - high;
+        Rectangle box = new Rectangle(MARGIN, bottom, wide, high);
+        if (from != null && depth(from) > 0) {
+            double[] at = new double[3];
+            project(from, at, 0);
+            for (int corner = 1; corner < 4 && box.intersects(at[0] - EYE, at[1] - EYE, 2 * EYE, 2 * EYE); corner++) {
+                box.setLocation(corner % 2 == 0 ? MARGIN : right, corner == 1 ? bottom : MARGIN);
+            }
+        }
         g.setColor(SHADE);
-        g.fillRect(MARGIN, top, wide, LINE * labels.size() + MARGIN);
-        int y = top + MARGIN;
+        g.fill(box);
+        int x = box.x + MARGIN;
+        int y = box.y + MARGIN;
         for (Kind kind : used) {
             g.setColor(COLOURS.get(kind));
             g.setStroke(stroke(WIDTH, DASHES.get(kind), 0));
-            paintSample(g, y, kind.label());
+            paintSample(g, x, y, kind.label());
             y += LINE;
         }
         g.setColor(Color.LIGHT_GRAY);
         g.setStroke(stroke(THIN, HIDDEN, 0));
-        paintSample(g, y, labels.get(labels.size() - 1));
+        paintSample(g, x, y, labels.get(labels.size() - 1));
     }
 
-    private static void paintSample(Graphics2D g, int y, String label) {
-        int left = 2 * MARGIN;
+    private static void paintSample(Graphics2D g, int left, int y, String label) {
         g.draw(new Line2D.Double(left, y + 4, left + SAMPLE, y + 4));
         g.setColor(Color.WHITE);
         for (int row = 0; row < PixelFont.HEIGHT; row++) {

@@ -125,6 +125,19 @@ class RayDrawingTest {
         assertThat(fine.distance(20.5, -0.1)).isInfinite();
     }
 
+    @ParameterizedTest
+    @CsvSource({"3, 2.2", "-3, 2.2", "3, -2.2"})
+    void theLegendCoversNoEye(double right, double up) {
+        Point eye = segments.get(0).from();
+        OutsideView view = new OutsideScene(scene).view(eye, new Pose(eye.x, eye.y, eye.z + 10, eye.x + right, eye.y + up, eye.z, 40),
+            WIDTH, HEIGHT, 1, Stage.LIGHTING, 1);
+        BufferedImage image = new BufferedImage(WIDTH, HEIGHT, BufferedImage.TYPE_INT_RGB);
+        drawing(view).paint(image.createGraphics(), 100, 100, 0, null);
+        double[] at = drawing(view).ends(eye, segments.get(0).to());
+
+        assertThat(image.getRGB((int) at[0], (int) at[1]) & 0xff).as("a white dot").isGreaterThan(200);
+    }
+
     @Test
     void anInterruptEndsAView() {
         OutsideScene outside = new OutsideScene(scene);
