@@ -21,8 +21,8 @@ import javax.swing.JPanel;
 import javax.swing.SwingUtilities;
 
 /**
- * Notices at the top of a window that stay until their reason is over, each with buttons. They lie over the right end of another component,
- * so that nothing moves when one comes or goes.
+ * Notices at the top of a window that stay until their reason is over, each with buttons. The latest lies over the right end of another
+ * component, so that nothing moves when one comes or goes; the others wait until it goes.
  */
 public final class Banner extends JPanel {
     private static final long serialVersionUID = 1L;
@@ -53,9 +53,12 @@ public final class Banner extends JPanel {
         });
     }
 
-    /** Takes the room of what is under it, from the right as far as the notices need, and more below if there are several. */
+    /** Takes the room of what is under it, from the right as far as the latest notice needs. */
     private void place() {
         setVisible(!notices.isEmpty());
+        for (int i = 0; i < getComponentCount(); i++) {
+            getComponent(i).setVisible(i == getComponentCount() - 1);
+        }
         if (isVisible() && getParent() != null) {
             Rectangle room = SwingUtilities.convertRectangle(under.getParent(), under.getBounds(), getParent());
             Dimension wanted = getPreferredSize();
