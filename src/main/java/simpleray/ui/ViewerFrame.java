@@ -45,7 +45,7 @@ import simpleray.ui.widget.Workers;
 final class ViewerFrame extends JFrame implements EditorContext {
     private static final long serialVersionUID = 1L;
     private static final int DIVIDER = 6;
-    private static final int LINES = 46;                      // the height of two lines of problems
+    private static final int LINES = 46;                      // the least height of problems: two lines, or one and a scroll bar
     private static final int LOW = 360;                       // the least height: half of what small screens have at scale 2
     private static final int MARGIN = 16;                     // wider than the edges that desktops draw round a window
     private static final String GONE = "gone";
@@ -424,7 +424,10 @@ final class ViewerFrame extends JFrame implements EditorContext {
         below = height;
         validate();                                           // else the height may be an older window's
         if (split.getHeight() > 0) {
-            split.setDividerLocation(split.getHeight() - split.getDividerSize() - Math.min(below, room()));
+            int whole = split.getHeight() - split.getDividerSize();
+            split.setDividerLocation(whole - Math.min(below, room()));
+            validate();                                       // only now it is known whether there is a scroll bar
+            split.setDividerLocation(whole - problems.whole(Math.min(below, room())));
             validate();                                       // what the window gains or loses from now on is the picture's
         }
     }

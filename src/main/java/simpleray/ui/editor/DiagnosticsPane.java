@@ -12,6 +12,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
 import javax.swing.JTextPane;
+import javax.swing.JViewport;
 import javax.swing.UIManager;
 import javax.swing.text.AttributeSet;
 import javax.swing.text.BadLocationException;
@@ -188,7 +189,25 @@ public final class DiagnosticsPane extends JTextPane {
     @Override
     public Dimension getPreferredScrollableViewportSize() {
         int lines = Math.min(MAX_LINES, (int) getText().lines().count() + 1);      // one for a scroll bar
+        return new Dimension(getPreferredSize().width, height(lines));
+    }
+
+    private int height(int lines) {
         Insets insets = getInsets();
-        return new Dimension(getPreferredSize().width, lines * getFontMetrics(getFont()).getHeight() + insets.top + insets.bottom);
+        return lines * getFontMetrics(getFont()).getHeight() + insets.top + insets.bottom;
+    }
+
+    /**
+     * {@return the greatest height, no greater than a given one, in which no line is cut; that one if all have room, or none has}
+     *
+     * @param height of a scroll pane that shows this and has been laid out
+     */
+    public int whole(int height) {
+        if (!(getParent() instanceof JViewport port)) {
+            return height;
+        }
+        int around = port.getParent().getHeight() - port.getHeight();             // with a scroll bar, if there is one
+        int lines = (height - around - height(0)) / getFontMetrics(getFont()).getHeight();
+        return lines > 0 && lines < getText().lines().count() ? height(lines) + around : height;
     }
 }

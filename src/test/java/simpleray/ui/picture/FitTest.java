@@ -16,6 +16,7 @@ import java.util.concurrent.CountDownLatch;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JTree;
+import javax.swing.text.JTextComponent;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -193,11 +194,17 @@ class FitTest {
         untilItFits();
         RenderJob job = window.job();
         Rectangle before = OpenWindow.ask(this::onScreen);
-        Diagnostic wrong = new Diagnostic("a.scene", 1, 1, true, "wrong", null);
+        Diagnostic wrong = new Diagnostic("a.scene", 1, 1, true, "wrong ".repeat(40), null);   // wider than the window
         for (int errors : new int[] {1, 3, 9, 2}) {
             OpenWindow.run(() -> ((EditorContext) window.frame).showFaults(SceneReport.of(Collections.nCopies(errors, wrong))));
             pause();
-            assertThat(window.problems()).isNotNull();
+            JTextComponent list = window.problems();
+            OpenWindow.run(() -> {
+                int row = list.getFontMetrics(list.getFont()).getHeight();
+                int seen = list.getParent().getHeight() - list.getInsets().top - list.getInsets().bottom;
+                assertThat(seen).isGreaterThanOrEqualTo(row);
+                assertThat(seen >= errors * row || seen % row == 0).as("no line is cut").isTrue();
+            });
             assertThat(OpenWindow.ask(this::onScreen)).isEqualTo(before);
         }
         assertThat(window.job()).isSameAs(job);
