@@ -55,8 +55,8 @@ public final class SidePanes extends JSplitPane {
     }
 
     /**
-     * Shows or hides something elsewhere in the window, so that the picture keeps its place if it can, and its share: first, what is beside it
-     * gives of its room, and gets that back later.
+     * Shows or hides something elsewhere in the window, so that the picture keeps its place if it can, and its share: first, what is beside
+     * it gives of its room, and gets that back later.
      *
      * @param change changes the window
      */

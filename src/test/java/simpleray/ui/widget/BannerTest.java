@@ -2,6 +2,7 @@ package simpleray.ui.widget;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.awt.Component;
 import java.util.Arrays;
 import java.util.List;
 import javax.swing.JLayeredPane;
@@ -34,7 +35,7 @@ class BannerTest {
     }
 
     private static List<String> seen(Banner banner) {
-        return Arrays.stream(banner.getComponents()).filter(java.awt.Component::isVisible)
+        return Arrays.stream(banner.getComponents()).filter(Component::isVisible)
             .map(notice -> notice.getAccessibleContext().getAccessibleName()).toList();
     }
 }
