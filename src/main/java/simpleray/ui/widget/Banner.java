@@ -22,7 +22,7 @@ import javax.swing.SwingUtilities;
 
 /**
  * Notices at the top of a window that stay until their reason is over, each with buttons. The latest lies over the right end of another
- * component, so that nothing moves when one comes or goes; the others wait until it goes.
+ * component, so that nothing moves when one comes or goes; the others wait until it goes. One that only tells waits for those that ask.
  */
 public final class Banner extends JPanel {
     private static final long serialVersionUID = 1L;
@@ -53,11 +53,15 @@ public final class Banner extends JPanel {
         });
     }
 
-    /** Takes the room of what is under it, from the right as far as the latest notice needs. */
+    /** Takes the room of what is under it, from the right as far as the latest notice needs; one that asks goes first. */
     private void place() {
         setVisible(!notices.isEmpty());
-        for (int i = 0; i < getComponentCount(); i++) {
-            getComponent(i).setVisible(i == getComponentCount() - 1);
+        Notice seen = null;
+        for (Notice notice : notices.values()) {
+            seen = seen == null || notice.asks || !seen.asks ? notice : seen;
+        }
+        for (Notice notice : notices.values()) {
+            notice.setVisible(notice == seen);
         }
         if (isVisible() && getParent() != null) {
             Rectangle room = SwingUtilities.convertRectangle(under.getParent(), under.getBounds(), getParent());
@@ -82,7 +86,7 @@ public final class Banner extends JPanel {
             return;
         }
         hide(about);
-        Notice notice = new Notice(message,
+        Notice notice = new Notice(message, actions.length > 0,
             actions.length > 0 ? actions : new Action[] {KeyBindings.action("Hide", null, () -> hide(about))});
         notices.put(about, notice);
         add(notice);
@@ -119,9 +123,11 @@ public final class Banner extends JPanel {
         private static final Color DARK = new Color(0x4D4321);
 
         private final JLabel message;
+        private final boolean asks;                           // what to do
 
-        Notice(String text, Action... actions) {
+        Notice(String text, boolean asks, Action... actions) {
             super(new BorderLayout(12, 0));
+            this.asks = asks;
             message = new JLabel(text, new WarningIcon(), JLabel.LEADING);
             message.setName("notice");
             message.setToolTipText(text);                     // a narrow window cuts it
