@@ -392,6 +392,7 @@ final class ViewerFrame extends JFrame implements EditorContext {
         }
         problems.show(text, report.places());
         JScrollPane pane = text.isEmpty() ? null : new JScrollPane(problems);
+        validate();                                           // else the picture's place may be an older window's
         if (picture.isPlaced()) {
             picture.keep(() -> showProblems(pane), true);
         } else {
