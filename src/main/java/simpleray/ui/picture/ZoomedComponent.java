@@ -129,7 +129,9 @@ abstract class ZoomedComponent extends DrawnComponent implements Scrollable {
             && y + was.height() <= Math.round(room.height * ui());
         heldIn = pane.getSize();
         held = null;
-        anchor = kept != null ? kept : anchor;                // laying out may have forgotten it
+        if (kept != null) {
+            anchor = kept;                                    // laying out may have forgotten it
+        }
         if (kept != null && heldIn.width >= anchoredIn.width && heldIn.height >= anchoredIn.height) {
             forgetPlace(true);
         } else if (whole && (kept != null || seen && !fits)) {
