@@ -72,7 +72,7 @@ public final class AtomicFile implements Closeable {
     public AtomicFile(Path path, Consumer<String> notes) throws IOException {
         this.notes = notes;
         if (Files.isDirectory(path)) {
-            throw new FileSystemException(path.toString(), null, "is a folder");
+            throw new FileSystemException(path.toString(), null, InputFile.folderReason(path));
         }
         if (OutputTarget.isStream(path)) {
             target = path;

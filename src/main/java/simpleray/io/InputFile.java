@@ -19,7 +19,7 @@ public final class InputFile {
      */
     public static String refusal(Path path) {
         if (Files.isDirectory(path)) {
-            return "is a folder";
+            return folderReason(path);
         }
         try {
             path.getFileSystem().provider().checkAccess(path, AccessMode.READ);
@@ -29,5 +29,15 @@ public final class InputFile {
         } catch (IOException e) {
             return "no such file";
         }
+    }
+
+    /**
+     * Tells why a folder is no file. The empty name is one, too: the working directory.
+     *
+     * @param path the folder
+     * @return the reason, for people
+     */
+    public static String folderReason(Path path) {
+        return path.toString().isEmpty() ? "the name is empty" : "is a folder";
     }
 }

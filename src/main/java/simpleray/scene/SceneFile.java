@@ -69,7 +69,7 @@ public record SceneFile(Scene scene, List<Diagnostic> warnings, SourceText text)
      */
     public static SceneFile read(Path path, Reach reach) throws IOException {
         if (Files.isDirectory(path)) {
-            throw new FileSystemException(path.toString(), null, "is a folder");
+            throw new FileSystemException(path.toString(), null, InputFile.folderReason(path));
         }
         try (InputStream in = new FileInputStream(path.toFile())) {
             return read(in, longestKept(path), path.toString(), path.resolveSibling(""), reach, null);

@@ -78,6 +78,17 @@ class ExitCodesTest {
             "render", scene.toString(), "-o", target);
     }
 
+    @ParameterizedTest
+    @ValueSource(strings = {"render", "print", "check"})
+    void anEmptyNameForASceneIs66(String command) {
+        assertEnds(ExitCode.NO_SCENE, "simpleray: : the name is empty\n", line(command, Path.of("")));
+    }
+
+    @Test
+    void anEmptyNameForTheOutputIs73() {
+        assertEnds(ExitCode.NO_OUTPUT, "simpleray: : cannot be created: the name is empty\n", "render", scene.toString(), "-o", "");
+    }
+
     @Test
     void aFolderForTheOutputIs73() {
         assertEnds(ExitCode.NO_OUTPUT, "simpleray: " + folder + ": cannot be created: is a folder\n",
