@@ -95,10 +95,8 @@ final class ForeignText {
 
     /** {@return whether a word is the next of this line} */
     boolean isNext(String wanted) {
-        Place before = here();
-        boolean next = takeWord().equals(wanted);
-        at = before.at;
-        return next;
+        last = here();
+        return text.startsWith(wanted, at) && isEnd(at + wanted.length());     // a word may be as long as its file
     }
 
     /** Takes the next word of this line, up to white space. {@return the word, empty at the end of the line} */
@@ -106,9 +104,13 @@ final class ForeignText {
         return take(false);
     }
 
+    private boolean isEnd(int place) {
+        return place >= text.length() || isBlank(text.charAt(place)) || text.charAt(place) == '#';
+    }
+
     private String take(boolean untilComma) {
         last = here();
-        while (at < text.length() && !isBlank(text.charAt(at)) && text.charAt(at) != '#' && !(untilComma && text.charAt(at) == COMMA)) {
+        while (!isEnd(at) && !(untilComma && text.charAt(at) == COMMA)) {
             at++;
         }
         word = text.substring(last.at, at);
