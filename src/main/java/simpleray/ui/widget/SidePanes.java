@@ -174,9 +174,10 @@ public final class SidePanes extends JSplitPane {
         int alone = width - DIVIDER - side.getPreferredSize().width;
         wide = text != null || alone < half();
         setResizeWeight(wide ? HALF : 1);
+        int left = given > 0 && !wide ? Math.max(divider, free) : free;   // less beside it makes the picture no smaller
         given = keep && wide ? given : 0;
         setDividerLocation(keep && wide ? Math.max(divider, least()) : three ? least()
-            : Math.max(wide ? half() : alone, Math.min(free, width - DIVIDER - side.getMinimumSize().width)));
+            : Math.max(wide ? half() : alone, Math.min(left, width - DIVIDER - side.getMinimumSize().width)));
         validate();
         if (three) {
             columns.setDividerLocation(HALF);

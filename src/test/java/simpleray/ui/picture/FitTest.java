@@ -167,6 +167,20 @@ class FitTest {
     }
 
     @WindowTest
+    void aPaneThatClosesBesideTheHistogramMakesThePictureNoSmaller() throws Exception {
+        open(TestScenes.THESIS, OpenWindow.request(800, 450));
+        OpenWindow.run(() -> window.frame.setSize(1250, 660));
+        Screen.until("it is fitted", () -> window.frame.getWidth() == 1250 && window.picture().isSettled() && !window.picture().isBusy());
+        clickStays(new Point(400, 225));
+        toggle("Rays");
+        toggle("Histogram");
+        Rectangle before = OpenWindow.ask(this::onScreen);
+        toggle("Rays");
+        assertThat(OpenWindow.ask(this::onScreen).width).isGreaterThanOrEqualTo(before.width);
+        assertThat(OpenWindow.ask(this::isWhole)).isTrue();
+    }
+
+    @WindowTest
     void aPictureThatDoesNotFitBesideAPaneIsFittedNearItsPlaceAndGrowsBackWhenThePaneCloses() throws Exception {
         open(TestScenes.THESIS, new RenderRequest());
         OpenWindow.run(() -> window.frame.setSize(900, 700));
