@@ -29,7 +29,7 @@ class RendererFaultTest {
             if (thrower.compareAndSet(null, Thread.currentThread())) {
                 throw fault;
             }
-            end(thrower.get());                               // a thread that goes on after that was not stopped
+            untilItRests(thrower.get());                      // a thread that goes on after that was not stopped
             return Object.MISS;
         });
         Renderer renderer = new Renderer(obstacle.alone(), new SimpleCamera(1, 100), new RenderSettings(Stage.FINAL, 0, 1, threads));
@@ -98,11 +98,10 @@ class RendererFaultTest {
         assertThat(obstacle.threads).hasSize(2).noneMatch(Thread::isAlive);
     }
 
-    private static void end(Thread thread) {
-        try {
-            thread.join();
-        } catch (InterruptedException e) {
-            throw new IllegalStateException(e);
+    /** Waits until a thread has left its picture: it waits for another one, or has ended. */
+    private static void untilItRests(Thread thread) {
+        while (thread.getState() == Thread.State.RUNNABLE || thread.getState() == Thread.State.BLOCKED) {
+            Thread.onSpinWait();
         }
     }
 }
