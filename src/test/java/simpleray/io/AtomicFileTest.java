@@ -43,7 +43,9 @@ class AtomicFileTest {
         try (AtomicFile file = new AtomicFile(target)) {
             assertThat(file.file()).isNotEqualTo(target).hasParent(target.getParent());
             Files.writeString(file.file(), "a film");
+            assertThat(file.isWhole()).isFalse();
             file.commit();
+            assertThat(file.isWhole()).isTrue();
         }
         assertThat(Files.readString(target)).isEqualTo("a film");
     }

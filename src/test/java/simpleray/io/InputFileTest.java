@@ -19,6 +19,7 @@ class InputFileTest {
 
         assertThat(InputFile.refusal(file)).isNull();
         assertThat(InputFile.refusal(folder)).isEqualTo("is a folder");
+        assertThat(InputFile.refusal(Path.of(""))).isEqualTo("the name is empty");
         assertThat(InputFile.refusal(folder.resolve("b"))).isEqualTo("no such file");
         assertThat(InputFile.refusal(file.resolve("b"))).isEqualTo("no such file");
         assertThat(InputFile.refusal(Path.of("/dev/null"))).isNull();
