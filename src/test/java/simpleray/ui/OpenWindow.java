@@ -9,7 +9,9 @@ import java.awt.Rectangle;
 import java.awt.Window;
 import java.awt.image.BufferedImage;
 import java.util.Arrays;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.ExecutionException;
@@ -49,12 +51,12 @@ import simpleray.ui.widget.Look;
 public final class OpenWindow implements AutoCloseable {
     private static final int MIN_WIDTH = 760;
     private static final int MIN_HEIGHT = 560;
+    private static final int MAX_LEFT = 6;
+    private static final AtomicInteger LEFT = new AtomicInteger();   // windows that were opened since one was closed
 
     public final Screen screen = new Screen();
     public final JFrame frame;
     public final AtomicBoolean closed = new AtomicBoolean();
-    private static final int MAX_LEFT = 6;
-    private static final AtomicInteger LEFT = new AtomicInteger();   // windows that were opened since one was closed
     private final ViewerFrame viewer;
     private final Queue<Throwable> uncaught = new ConcurrentLinkedQueue<>();
 
@@ -150,13 +152,13 @@ public final class OpenWindow implements AutoCloseable {
 
     /** {@return the threads of all windows that have not ended} */
     public static List<String> threads() {
-        return Thread.getAllStackTraces().keySet().stream().map(Thread::getName).filter(name -> name.startsWith("simpleray-"))
-            .sorted().collect(Collectors.toList());
+        return stacks().keySet().stream().map(Thread::getName).sorted().collect(Collectors.toList());
     }
 
-    private static String stacks() {
-        return Thread.getAllStackTraces().entrySet().stream().filter(thread -> thread.getKey().getName().startsWith("simpleray-"))
-            .map(thread -> thread.getKey() + " at " + Arrays.toString(thread.getValue())).collect(Collectors.joining("; "));
+    private static Map<Thread, StackTraceElement[]> stacks() {
+        Map<Thread, StackTraceElement[]> stacks = new HashMap<>(Thread.getAllStackTraces());
+        stacks.keySet().removeIf(thread -> !thread.getName().startsWith("simpleray-"));
+        return stacks;
     }
 
     ViewerFrame viewer() {
@@ -278,7 +280,9 @@ public final class OpenWindow implements AutoCloseable {
         try {
             Screen.until("all threads end", () -> threads().isEmpty());
         } catch (AssertionError e) {
-            throw new AssertionError(threads() + " did not end: " + stacks(), e);
+            StringBuilder left = new StringBuilder("threads did not end:");
+            stacks().forEach((thread, stack) -> left.append(' ').append(thread.getName()).append(" at ").append(Arrays.toString(stack)));
+            throw new AssertionError(left.toString(), e);
         }
         LEFT.set(0);
         Thread.setDefaultUncaughtExceptionHandler(null);
