@@ -4,6 +4,7 @@ import com.formdev.flatlaf.FlatLightLaf;
 import java.awt.Component;
 import java.awt.Container;
 import java.awt.Dialog;
+import java.awt.Dimension;
 import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.Window;
@@ -77,21 +78,27 @@ public final class OpenWindow implements AutoCloseable {
                 uncaught.add(thrown);
             }
         });
+        Dimension size = new Dimension();
         viewer = ask(() -> {
             FlatLightLaf.setup();
             ViewerFrame made = new ViewerFrame(source, request(width, height), () -> closed.set(true));
             made.picture().setZoom(new Zoom(false, 1), null);  // so that tests find its pixels on the screen
             made.setMinimumSize(null);                        // tests of large pictures have small windows
-            made.pack();                                      // however large the screen is
-            made.setSize(Math.max(MIN_WIDTH, made.getWidth()), Math.max(MIN_HEIGHT, made.getHeight()));
+            Dimension needed = made.getPreferredSize();
+            made.setSize(Math.max(MIN_WIDTH, needed.width), Math.max(MIN_HEIGHT, needed.height));   // however large the screen is
             made.validate();
             first.accept(made);
+            size.setSize(made.getSize());
             made.setVisible(true);
             made.toFront();
             return made;
         });
         frame = viewer;
         Screen.until("the window has the keys", () -> frame.isFocused() && frame.getFocusOwner() != null);
+        run(() -> {
+            frame.setSize(size);                              // an X server's late word of a size before this one may have changed it
+            frame.validate();
+        });
     }
 
     /** {@return a request for a picture of that size, with nothing else asked for} */

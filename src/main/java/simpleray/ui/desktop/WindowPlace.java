@@ -33,14 +33,14 @@ final class WindowPlace {
         Rectangle place = seen(preferences.place(), screens());
         if (place == null) {
             frame.setLocationByPlatform(true);
-            frame.pack();
+            Dimension needed = frame.getPreferredSize();
             Dimension screen = frame.getToolkit().getScreenSize();
-            frame.setSize(side(screen.width, LARGE.width, MIN.width, frame.getWidth()),
-                side(screen.height, LARGE.height, MIN.height, frame.getHeight()));
+            frame.setSize(side(screen.width, LARGE.width, MIN.width, needed.width),
+                side(screen.height, LARGE.height, MIN.height, needed.height));
         } else {
             frame.setBounds(place);
-            frame.addNotify();                                // there, and never known to the desktop elsewhere
         }
+        frame.addNotify();                                    // of that size: late word of another one would be taken for the user's wish
         if (preferences.isMaximised()) {
             frame.setExtendedState(Frame.MAXIMIZED_BOTH);
         }
