@@ -2,6 +2,7 @@ package simpleray.ui;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.Stream;
 import javax.swing.AbstractButton;
 import javax.swing.BorderFactory;
 import javax.swing.JButton;
@@ -55,8 +56,11 @@ final class ToolBar extends JToolBar {
 
     /** {@return the item of the menus that says something} */
     static JMenuItem item(JMenuBar menus, String text) {
-        return Arrays.stream(menus.getSubElements()).flatMap(menu -> Arrays.stream(menu.getSubElements()))
-            .flatMap(popup -> Arrays.stream(popup.getSubElements())).map(MenuElement::getComponent).map(JMenuItem.class::cast)
-            .filter(item -> item.getText().equals(text)).findFirst().orElseThrow();
+        return items(menus).filter(item -> item.getText().equals(text)).findFirst().orElseThrow();
+    }
+
+    private static Stream<JMenuItem> items(MenuElement menu) {
+        return Arrays.stream(menu.getSubElements())
+            .flatMap(part -> Stream.concat(part instanceof JMenuItem item ? Stream.of(item) : Stream.empty(), items(part)));
     }
 }

@@ -63,22 +63,6 @@ final class ViewerMenus {
         file.addSeparator();
         file.add(KeyBindings.action("Quit", "control Q", quit));
 
-        JMenu stage = menu("Stage", KeyEvent.VK_S);
-        ButtonGroup one = new ButtonGroup();
-        addStage(stage, one, Stage.ORIGINAL, "Original Scene", "1");
-        addStage(stage, one, Stage.LIGHTING, "With Lighting", "2");
-        addStage(stage, one, Stage.FINAL, "With Shadows and Reflections", "3");
-        stage.addSeparator();
-        addStage(stage, one, Stage.AMBIENT, "Ambient Term", "A");
-        addStage(stage, one, Stage.DIFFUSE, "Diffuse Term", "D");
-        addStage(stage, one, Stage.SPECULAR, "Specular Term", "S");
-        stage.addSeparator();
-        addStage(stage, one, Stage.NORMALS, "Normals", "N");
-        addStage(stage, one, Stage.DEPTH, "Depth", "Z");
-        addStage(stage, one, Stage.OBJECTS, "Object Numbers", "O");
-        addStage(stage, one, Stage.BOUNCES, "Bounces of Rays", "R");
-        addStage(stage, one, Stage.SHADOWS, "Shadows", "M");
-
         JMenu view = menu("View", KeyEvent.VK_V);
         new ZoomTool(picture).addTo(view);
         view.addSeparator();
@@ -88,20 +72,38 @@ final class ViewerMenus {
         view.add(scene.text());
         view.add(inspector.raysItem());
 
-        bar.add(inspector.menu());
-
         comparison.addTo(view);
         view.addSeparator();
         view.add(desktop.lookMenu());
 
         JMenu run = menu("Render", KeyEvent.VK_R);
+        ButtonGroup one = new ButtonGroup();
+        addStage(run, one, Stage.ORIGINAL, "Original Scene", "1");
+        addStage(run, one, Stage.LIGHTING, "With Lighting", "2");
+        addStage(run, one, Stage.FINAL, "With Shadows and Reflections", "3");
+        run.addSeparator();
+        addStage(run, one, Stage.AMBIENT, "Ambient Term", "A");
+        addStage(run, one, Stage.DIFFUSE, "Diffuse Term", "D");
+        addStage(run, one, Stage.SPECULAR, "Specular Term", "S");
+        run.addSeparator();
+        addStage(run, one, Stage.NORMALS, "Normals", "N");
+        addStage(run, one, Stage.DEPTH, "Depth", "Z");
+        addStage(run, one, Stage.OBJECTS, "Object Numbers", "O");
+        addStage(run, one, Stage.BOUNCES, "Bounces of Rays", "R");
+        addStage(run, one, Stage.SHADOWS, "Shadows", "M");
+        run.addSeparator();
         run.add(new JCheckBoxMenuItem(pause));
         run.add(cancel);
         run.addSeparator();
-        timeLine.addTo(run);
+        run.add(timeLine.menu());
         settings.addTo(run);
+
+        JMenu inspect = menu("Inspect", KeyEvent.VK_I);
+        inspector.addTo(inspect);
+        inspect.addSeparator();
+        comparison.addModesTo(inspect);
+
         bar.add(scene.menu());
-        bar.add(comparison.menu());
         bar.add(camera.menu());
         bar.add(desktop.helpMenu());
         MenuKeys.restWhileOpen(bar);

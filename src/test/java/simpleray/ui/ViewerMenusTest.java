@@ -38,32 +38,38 @@ class ViewerMenusTest {
     }
 
     @WindowTest
-    void theStageMenuHasTheThesissThreePicturesItsTermsAndTheViews() {
-        assertThat(items(opened("Stage"))).containsExactly("Original Scene pressed 1", "With Lighting pressed 2",
+    void theRenderMenuHasTheThesissThreePicturesItsTermsAndTheViewsAndStopsAndSets() {
+        assertThat(items(opened("Render"))).containsExactly("Original Scene pressed 1", "With Lighting pressed 2",
             "With Shadows and Reflections pressed 3", "Ambient Term pressed A", "Diffuse Term pressed D", "Specular Term pressed S",
             "Normals pressed N",
-            "Depth pressed Z", "Object Numbers pressed O", "Bounces of Rays pressed R", "Shadows pressed M");
-    }
-
-    @WindowTest
-    void theInspectMenuHasTheStoryAndThePixelCursor() {
-        assertThat(items(opened("Inspect"))).containsExactly("Story of the Pixel pressed I", "Copy Story shift ctrl pressed I",
-            "Close Story shift pressed I", "Next Ray pressed PERIOD", "Previous Ray pressed COMMA",
-            "Normals and Halfway Vectors shift pressed V", "Pixel Cursor Left alt pressed LEFT", "Pixel Cursor Right alt pressed RIGHT",
-            "Pixel Cursor Up alt pressed UP", "Pixel Cursor Down alt pressed DOWN");
-    }
-
-    @WindowTest
-    void theRenderMenuPausesCancelsAndPlaysFilms() {
-        assertThat(items(opened("Render"))).containsExactly("Pause pressed SPACE", "Cancel pressed ESCAPE", "Play Film pressed P",
-            "First Frame alt pressed HOME", "Previous Frame alt pressed PAGE_UP", "Next Frame alt pressed PAGE_DOWN",
-            "Last Frame alt pressed END", "Loop Film shift pressed P", "Size null", "Samples null", "Depth null", "As in the Scene null",
+            "Depth pressed Z", "Object Numbers pressed O", "Bounces of Rays pressed R", "Shadows pressed M",
+            "Pause pressed SPACE", "Cancel pressed ESCAPE", "Film null", "Size null", "Samples null", "Recursion Depth null", "As in the Scene null",
             "Write into the Scene null");
     }
 
     @WindowTest
+    void theInspectMenuHasTheStoryThePixelCursorAndTheComparison() {
+        assertThat(items(opened("Inspect"))).containsExactly("Story of the Pixel pressed I", "Copy Story shift ctrl pressed I",
+            "Close Story shift pressed I", "Next Ray pressed PERIOD", "Previous Ray pressed COMMA",
+            "Normals and Halfway Vectors shift pressed V", "Pixel Cursor Left alt pressed LEFT", "Pixel Cursor Right alt pressed RIGHT",
+            "Pixel Cursor Up alt pressed UP", "Pixel Cursor Down alt pressed DOWN", "Side by Side pressed B", "Wipe pressed W");
+    }
+
+    @WindowTest
+    void theMenuOfFilmsPlaysThem() {
+        JMenu film = (JMenu) window.item("Film");
+        opened("Render");
+        window.screen.click(film);
+        Screen.until("the menu is open", () -> film.getPopupMenu().isShowing());
+
+        assertThat(items(film)).containsExactly("Play Film pressed P",
+            "First Frame alt pressed HOME", "Previous Frame alt pressed PAGE_UP", "Next Frame alt pressed PAGE_DOWN",
+            "Last Frame alt pressed END", "Loop Film shift pressed P");
+    }
+
+    @WindowTest
     void aClickOnAStageShowsIt() {
-        opened("Stage");
+        opened("Render");
         window.screen.click(window.item("With Lighting"));
 
         window.untilShown("the stage", TestScenes.rendered(TestScenes.THESIS, 90, 60, Stage.LIGHTING));

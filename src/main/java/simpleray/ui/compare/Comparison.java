@@ -1,7 +1,6 @@
 package simpleray.ui.compare;
 
 import java.awt.BorderLayout;
-import java.awt.event.KeyEvent;
 import java.awt.image.BufferedImage;
 import java.time.LocalTime;
 import java.time.ZoneId;
@@ -31,7 +30,6 @@ public final class Comparison {
     private final History history = new History();
     private final Lazy<ComparePane> pane = new Lazy<>(this::newPane);
     private final Lazy<HistogramPane> counted = new Lazy<>(this::newHistogram);
-    private final JMenu menu = new JMenu("Compare");
     private final JCheckBoxMenuItem beside = item("Side by Side", "B", this::changeMode);
     private final JCheckBoxMenuItem wipe = item("Wipe", "W", this::changeMode);
     private final JCheckBoxMenuItem marks = item("Mark Clipped Pixels", "X", this::mark);
@@ -51,9 +49,6 @@ public final class Comparison {
     public Comparison(ViewerContext window) {
         this.window = window;
         looker = window.workers().stopping("simpleray-looking");
-        menu.setMnemonic(KeyEvent.VK_P);
-        menu.add(beside);
-        menu.add(wipe);
         allow();
     }
 
@@ -90,9 +85,14 @@ public final class Comparison {
         return made;
     }
 
-    /** {@return the menu} */
-    public JMenu menu() {
-        return menu;
+    /**
+     * Adds the items that compare two pictures.
+     *
+     * @param menu the menu to add to
+     */
+    public void addModesTo(JMenu menu) {
+        menu.add(beside);
+        menu.add(wipe);
     }
 
     /**

@@ -2,6 +2,7 @@ package simpleray.ui.film;
 
 import java.awt.BorderLayout;
 import java.awt.Dimension;
+import java.awt.event.KeyEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.util.Dictionary;
@@ -150,18 +151,17 @@ public final class TimeLine {
         return both;
     }
 
-    /**
-     * Adds the items that play a film.
-     *
-     * @param menu the menu
-     */
-    public void addTo(JMenu menu) {
+    /** {@return a menu that plays the film and goes to its frames} */
+    public JMenu menu() {
+        JMenu menu = new JMenu("Film");
+        menu.setMnemonic(KeyEvent.VK_F);
         menu.add(play);
         menu.add(first);
         menu.add(previous);
         menu.add(next);
         menu.add(last);
         menu.add(new JCheckBoxMenuItem(loop));
+        return menu;
     }
 
     /** {@return what plays the film and pauses it, with a sign for a button} */

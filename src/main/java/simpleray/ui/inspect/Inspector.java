@@ -7,7 +7,6 @@ import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.datatransfer.StringSelection;
 import java.awt.event.InputEvent;
-import java.awt.event.KeyEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.awt.geom.Point2D;
@@ -223,10 +222,12 @@ public final class Inspector {
         });
     }
 
-    /** {@return a menu about single pixels} */
-    public JMenu menu() {
-        JMenu menu = new JMenu("Inspect");
-        menu.setMnemonic(KeyEvent.VK_I);
+    /**
+     * Adds what a pixel is looked into by.
+     *
+     * @param menu the Inspect menu
+     */
+    public void addTo(JMenu menu) {
         menu.add(storyAction);
         menu.add(KeyBindings.action("Copy Story", "control shift I", this::copy));
         menu.add(KeyBindings.action("Close Story", "shift I", this::closeStory));
@@ -239,7 +240,6 @@ public final class Inspector {
         menu.add(KeyBindings.action("Pixel Cursor Right", "alt RIGHT", () -> move(1, 0)));
         menu.add(KeyBindings.action("Pixel Cursor Up", "alt UP", () -> move(0, -1)));
         menu.add(KeyBindings.action("Pixel Cursor Down", "alt DOWN", () -> move(0, 1)));
-        return menu;
     }
 
     /** {@return the item that shows the rays of the pixel, or hides them} */

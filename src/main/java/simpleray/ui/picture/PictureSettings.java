@@ -62,7 +62,7 @@ public final class PictureSettings {
         menu.addSeparator();
         menu.add(size);
         menu.add(choices("Samples", KeyEvent.VK_S, Setting.SAMPLES, "1", "2", "3", "4", "8"));
-        menu.add(choices("Depth", KeyEvent.VK_D, Setting.DEPTH, "0", "1", "2", "5", "10", "30"));
+        menu.add(choices("Recursion Depth", KeyEvent.VK_R, Setting.DEPTH, "0", "1", "2", "5", "10", "30"));
         JMenuItem back = menu.add(KeyBindings.action("As in the Scene", null, () -> set(this::reset)));
         JMenuItem write = menu.add(KeyBindings.action("Write into the Scene", null, () -> opener.accept(this::write)));
         menu.addMenuListener(new MenuListener() {

@@ -116,7 +116,7 @@ class DesktopTest {
             .collect(Collectors.toList()));
 
         assertThat(rows).contains("File: Open…: Ctrl+O", "File: Reload: Ctrl+R, F5", "File: Copy Command Line: Ctrl+Shift+L",
-            "Stage: Original Scene: 1", "Help: Mouse and Keys: F1, ?");
+            "Render: Original Scene: 1", "Help: Mouse and Keys: F1, ?");
         assertThat(rows).hasSameSizeAs(OpenWindow.ask(() -> keys(window.frame.getJMenuBar()).collect(Collectors.toList())));
         capture("shortcuts.png");
         window.screen.press(KeyEvent.VK_ESCAPE);

@@ -28,7 +28,7 @@ import simpleray.ui.file.SceneSource;
 /** The size, the samples and the depth in the Render menu. */
 class PictureSettingsTest {
     /** The place of the menu Render. */
-    private static final int RENDER = 4;
+    private static final int RENDER = 2;
     private static final String SCENE = "1\n1  0 0 1 -1  0.2 0.4 0.6  0 0 0  0 0 0  0\n1 1 1\n0\n";
 
     @TempDir
@@ -64,7 +64,7 @@ class PictureSettingsTest {
     @WindowTest
     void whatIsChosenIsWrittenIntoTheScene() throws IOException {
         choose("Samples", "3 \u00D7 3 a pixel");
-        choose("Depth", "10");
+        choose("Recursion Depth", "10");
         window.untilState(RenderJob.State.FINISHED);
         OpenWindow.run(window.item("Write into the Scene")::doClick);
 
@@ -103,7 +103,7 @@ class PictureSettingsTest {
 
     @WindowTest
     void asInTheSceneTakesBackWhatWasChosen() {
-        choose("Depth", "0");
+        choose("Recursion Depth", "0");
         choose("Size", "320 \u00D7 240");
         OpenWindow.run(window.item("As in the Scene")::doClick);
 
@@ -124,7 +124,7 @@ class PictureSettingsTest {
         window.untilState(RenderJob.State.FINISHED);
         assertThat(openMenu("As in the Scene")).isFalse();
         assertThat(openMenu("Write into the Scene")).isFalse();
-        choose("Depth", "0");
+        choose("Recursion Depth", "0");
         assertThat(openMenu("As in the Scene")).isTrue();
         assertThat(openMenu("Write into the Scene")).isTrue();
     }
@@ -132,21 +132,21 @@ class PictureSettingsTest {
     @WindowTest
     void theSameChoiceAgainRendersNothing() {
         RenderJob first = window.job();
-        choose("Depth", "2");                                 // the scene's own
+        choose("Recursion Depth", "2");                                 // the scene's own
         choose("Samples", "1 a pixel");
         assertThat(window.job()).isSameAs(first);
-        choose("Depth", "0");
+        choose("Recursion Depth", "0");
         Screen.until("another is rendered", () -> window.picture().job() != first);
         window.untilState(RenderJob.State.FINISHED);
         RenderJob second = window.job();
-        choose("Depth", "0");
+        choose("Recursion Depth", "0");
 
         assertThat(window.job()).isSameAs(second);
         Object picture = OpenWindow.ask(window.picture()::whole);
-        choose("Depth", "10");
+        choose("Recursion Depth", "10");
         Screen.until("a third is rendered", () -> window.picture().job() != second);
         window.untilState(RenderJob.State.FINISHED);
-        choose("Depth", "0");
+        choose("Recursion Depth", "0");
         assertThat(OpenWindow.ask(window.picture()::whole)).as("the picture that was finished before").isSameAs(picture);
     }
 
