@@ -40,7 +40,7 @@ public final class StoryText {
     private static final int FINE = 6;
     /** The most groups of hidden lights whose blockers a sentence names. */
     private static final int MAX_GROUPS = 3;
-    /** A term below this, a thousandth of a level, is left out of a sum. */
+    /** A term below this, a thousandth of a level, is left out of a sum; a light whose N.L is below it grazes the surface. */
     private static final double MIN_TERM = 4e-6;
     private static final String INDENT = "  ";
     private static final String TIMES = " · ";
@@ -361,6 +361,7 @@ public final class StoryText {
     private void tellLights(List<Contribution> lights) {
         String before = ", ";
         List<Integer> whole = new ArrayList<>();
+        List<Integer> grazing = new ArrayList<>();
         List<Integer> away = new ArrayList<>();
         Map<List<Thing>, List<Integer>> dimmed = new LinkedHashMap<>();
         Map<List<Thing>, List<Integer>> blocked = new LinkedHashMap<>();
@@ -381,7 +382,7 @@ public final class StoryText {
             } else {
                 Lamp one = (Lamp) light;
                 switch (one.verdict()) {
-                    case REACHES, NO_SHADOWS -> whole.add(number);
+                    case REACHES, NO_SHADOWS -> (one.facing() < MIN_TERM ? grazing : whole).add(number);
                     case TURNED_AWAY -> away.add(number);
                     case DIMMED -> dimmed.computeIfAbsent(between(one), b -> new ArrayList<>()).add(number);
                     case BLOCKED -> blocked.computeIfAbsent(between(one), b -> new ArrayList<>()).add(number);
@@ -400,6 +401,10 @@ public final class StoryText {
         for (Area area : partly) {
             int arriving = area.whole() + area.dimmed();
             say(before + "lit by " + arriving + " of the " + area.points() + " points of light " + area.light().number());
+            before = "; ";
+        }
+        if (!grazing.isEmpty()) {
+            say(before + "grazed by " + lights(grazing));
             before = "; ";
         }
         if (!away.isEmpty()) {

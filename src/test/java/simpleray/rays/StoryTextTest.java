@@ -196,10 +196,11 @@ class StoryTextTest {
     void lightsAreGroupedByWhatHidesThem() throws IOException {
         String lamp = "0  1 1 1  ";
         String text = text("3\n1 0 0 1 -2  0 0 0  1 1 1  0 0 0  1\n0 1 0 0 0.5  0 0 0  0.9 0 0  0 0 0  1\n1 1 0 0 -50  0 0 0  1 1 1  0 0 0  1\n"
-            + "0 0 0\n5\n" + lamp + "2 0 2\n" + lamp + "2.1 0 2\n" + lamp + "0 0 2\n" + lamp + "0 1 2\n" + lamp + "0 0 -9\n", Stage.FINAL, 1);
+            + "0 0 0\n6\n" + lamp + "2 0 2\n" + lamp + "2.1 0 2\n" + lamp + "0 0 2\n" + lamp + "0 1 2\n" + lamp + "0 0 -9\n"
+            + lamp + "0 2 -1.9999999\n", Stage.FINAL, 1);
 
-        assertThat(text).contains("White back wall (line 2), lit by lights 3 and 4; turned away from light 5; lights 1 and 2 are hidden by the "
-            + "red sphere (line 3).\n");
+        assertThat(text).contains("White back wall (line 2), lit by lights 3 and 4; grazed by light 6; turned away from light 5; "
+            + "lights 1 and 2 are hidden by the red sphere (line 3).\n");
     }
 
     @Test
