@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import simpleray.image.Picture;
 import simpleray.math.Colour;
@@ -62,6 +63,7 @@ public final class StoryText {
     private final List<Line> lines = new ArrayList<>();
     private List<Part> parts = new ArrayList<>();             // of the line that is being written
     private int level;
+    private Supplier<List<Line>> more;                        // of that line; null if nothing
     private RayTree ray;                                      // whose lines are written; null before the first
     private Lamp lamp;                                        // likewise; null for none
 
@@ -69,11 +71,15 @@ public final class StoryText {
      * A part of a line.
      *
      * @param text its text
-     * @param tip what it means, with all digits of its numbers; null where there is nothing to be explained
+     * @param meaning tells what it means, with all digits of its numbers; null where there is nothing to be explained
      * @param swatch the colour that it tells; null unless it is the result or a term of a sum
      * @param source the line of the scene's text that it names; 0 for none
      */
-    public record Part(String text, String tip, Colour swatch, int source) {
+    public record Part(String text, Supplier<String> meaning, Colour swatch, int source) {
+        /** {@return what it means; null where there is nothing to be explained} Takes a while: all digits of a number are looked for. */
+        public String tip() {
+            return meaning == null ? null : meaning.get();
+        }
     }
 
     /**
@@ -83,8 +89,9 @@ public final class StoryText {
      * @param parts its parts, from left to right
      * @param ray the ray that it tells about; null for the pixel as a whole
      * @param lamp the light at that ray's hit, or the point of an area light, that it tells about; null for none
+     * @param more tells the lines below it, for those of an outline that has them not yet; null if all are told
      */
-    public record Line(int level, List<Part> parts, RayTree ray, Lamp lamp) {
+    public record Line(int level, List<Part> parts, RayTree ray, Lamp lamp, Supplier<List<Line>> more) {
         /** {@return its text, not indented} */
         public String text() {
             return parts.stream().map(Part::text).collect(Collectors.joining());
@@ -111,7 +118,21 @@ public final class StoryText {
      */
     public static List<Line> lines(PixelStory pixel, Scene scene, Camera camera) {
         StoryText text = new StoryText(pixel.stage().terms(), new ObjectNames(scene, camera));
-        text.tell(pixel);
+        text.tell(pixel, false);
+        return text.lines;
+    }
+
+    /**
+     * Tells a story, but of several samples only that in the middle: of hundreds, nobody reads all.
+     *
+     * @param pixel the story
+     * @param scene its scene
+     * @param camera the camera of its picture
+     * @return its lines, the first one at level 0 and all others below it
+     */
+    public static List<Line> outline(PixelStory pixel, Scene scene, Camera camera) {
+        StoryText text = new StoryText(pixel.stage().terms(), new ObjectNames(scene, camera));
+        text.tell(pixel, true);
         return text.lines;
     }
 
@@ -183,29 +204,37 @@ public final class StoryText {
         return this;
     }
 
-    private StoryText say(String text, String tip) {
-        parts.add(new Part(text, tip, null, 0));
+    private StoryText say(String text, String meaning) {
+        return say(text, () -> meaning);
+    }
+
+    private StoryText say(String text, Supplier<String> meaning) {
+        parts.add(new Part(text, meaning, null, 0));
         return this;
+    }
+
+    private StoryText sayNumber(String text, String meaning, double d) {
+        return say(text, () -> meaning + ": " + ShortestDecimal.of(d));
     }
 
     /** A colour as a result or a term of a sum, after its name. */
     private StoryText sayColour(String name, Colour c) {
-        parts.add(new Part((name.isEmpty() ? "" : name + ' ') + colour(c, DIGITS), exact(c), c, 0));
+        parts.add(new Part((name.isEmpty() ? "" : name + ' ') + colour(c, DIGITS), () -> exact(c), c, 0));
         return this;
     }
 
     /** A colour as a factor. */
     private StoryText sayFactor(Colour c, String meaning) {
-        return say('(' + colour(c, DIGITS) + ')', meaning + ": " + exact(c));
+        return say('(' + colour(c, DIGITS) + ')', () -> meaning + ": " + exact(c));
     }
 
     private StoryText sayCosine(double cosine, String meaning) {
-        return say(number(cosine), meaning + ": " + ShortestDecimal.of(cosine) + ", "
+        return say(number(cosine), () -> meaning + ": " + ShortestDecimal.of(cosine) + ", "
             + String.format(Locale.ROOT, "%.1f°", StrictMath.toDegrees(StrictMath.acos(Math.max(-1, Math.min(1, cosine))))));
     }
 
     private StoryText sayTriple(double a, double b, double c, String meaning) {
-        return say('(' + RoundedDecimal.of(a, b, c, DIGITS) + ')', meaning + ": " + exact(a, b, c));
+        return say('(' + RoundedDecimal.of(a, b, c, DIGITS) + ')', () -> meaning + ": " + exact(a, b, c));
     }
 
     private StoryText sayVector(Vector v, String meaning) {
@@ -230,7 +259,7 @@ public final class StoryText {
             return what.equals("light") ? this : say(" (" + number + ')');
         }
         say(" (");
-        parts.add(new Part("line " + thing.line(), number + " of the scene, a " + thing.kind(), null, thing.line()));
+        parts.add(new Part("line " + thing.line(), () -> number + " of the scene, a " + thing.kind(), null, thing.line()));
         return say(thing.mtl() == null ? ")" : ", " + material(thing.mtl()) + ')');
     }
 
@@ -242,11 +271,12 @@ public final class StoryText {
     }
 
     private void end() {
-        lines.add(new Line(level, List.copyOf(parts), ray, lamp));
+        lines.add(new Line(level, List.copyOf(parts), ray, lamp, more));
         parts = new ArrayList<>();
+        more = null;
     }
 
-    private void tell(PixelStory pixel) {
+    private void tell(PixelStory pixel, boolean outline) {
         say("pixel " + pixel.x() + ',' + pixel.y() + " of " + pixel.width() + 'x' + pixel.height() + ", stage " + pixel.stage() + ": ")
             .sayColour("", pixel.colour()).say(", levels " + levels(pixel.colour()) + alpha(pixel)).end();
         level++;
@@ -258,16 +288,32 @@ public final class StoryText {
             say("the mean of " + (count < pixel.samples().size() ? count + " of " : "") + pixel.samples().size()
                 + " samples, each brought into 0 to 1").end();
         }
-        for (PixelStory.Sample sample : pixel.samples()) {
+        for (int i = 0; i < pixel.samples().size(); i++) {
+            PixelStory.Sample sample = pixel.samples().get(i);
+            boolean later = outline && i != pixel.samples().size() / 2;
             if (pixel.mean()) {
                 say("sample at " + RoundedDecimal.of(sample.px(), FINE) + ',' + RoundedDecimal.of(sample.py(), FINE) + ": ");
+                more = later ? () -> below(sample) : null;
                 (sample.counts() ? sayColour("", sample.colour()) : say("hits nothing: transparent")).end();
-                level++;
             }
-            tell(sample.tree(), "", null, null);
-            level -= pixel.mean() ? 1 : 0;
+            if (!later) {
+                tellSample(sample, pixel.mean() ? level + 1 : level);
+            }
         }
         level--;
+    }
+
+    private void tellSample(PixelStory.Sample sample, int at) {
+        int outer = level;
+        level = at;
+        tell(sample.tree(), "", null, null);
+        level = outer;
+    }
+
+    private List<Line> below(PixelStory.Sample sample) {
+        StoryText text = new StoryText(terms, names);
+        text.tellSample(sample, 2);
+        return text.lines;
     }
 
     private static String alpha(PixelStory pixel) {
@@ -308,7 +354,7 @@ public final class StoryText {
             .say(" along ").sayVector(story.ray().direction, "its direction, of length 1")
             .say(", depth " + story.depth(), "how many reflections and refractions may follow");
         if (hit != null) {
-            say(": ").say("t = " + number(hit.distance()), "t, the distance: " + ShortestDecimal.of(hit.distance()))
+            say(": ").sayNumber("t = " + number(hit.distance()), "t, the distance", hit.distance())
                 .say(", P = ").sayPoint(hit.point(), "P, the point that is hit")
                 .say(", N = ").sayVector(hit.normal(), "N, the normal there, turned to where the ray comes from")
                 .say(hit.enters() ? ", going in" : ", going out");
@@ -555,12 +601,12 @@ public final class StoryText {
             say("specular = ").say("Ks", KS).say(TIMES).say(verdict == Verdict.DIMMED ? "arriving" : "LC", meaning).say(TIMES)
                 .say("(N·H)", HIGHLIGHT).say("^shininess", SHININESS).say(" = ").sayFactor(material.specular, KS).say(TIMES)
                 .sayFactor(arriving, meaning).say(TIMES).sayCosine(Math.min(1, Math.max(0, one.cosine())), HIGHLIGHT)
-                .say('^' + number(material.shininess), SHININESS + ": " + ShortestDecimal.of(material.shininess)).say(" = ")
+                .sayNumber('^' + number(material.shininess), SHININESS, material.shininess).say(" = ")
                 .sayColour("", one.specular()).end();
         }
         say("L = ").sayVector(one.towards(), "L, the way to the light, of length 1").say(", N·L = ").sayCosine(one.facing(), FACING);
         if (!Double.isInfinite(one.distance())) {
-            say(", distance " + number(one.distance()), "the distance of the light: " + ShortestDecimal.of(one.distance()));
+            sayNumber(", distance " + number(one.distance()), "the distance of the light", one.distance());
         }
         end();
         if (lit && terms.specular() && !material.specular.isBlack()) {

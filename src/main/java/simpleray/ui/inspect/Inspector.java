@@ -582,7 +582,7 @@ public final class Inspector {
                 PixelStory made = explainer(job).story(pixel.x, pixel.y, wantsRays);     // rays go to the points of area lights
                 RenderJob.Snapshot now = job.snapshot();
                 told = new Told(made, now.scene(), now.settings().newCamera());
-                root = wantsStory ? StoryPane.tree(StoryText.lines(made, told.scene, told.camera)) : null;
+                root = wantsStory ? StoryTree.tree(StoryText.outline(made, told.scene, told.camera)) : null;
                 drawn = wantsRays ? new RaysView.Rays(told.scene, told.camera, pixel.x, pixel.y, RaySegment.of(made, told.scene)) : null;
             } catch (CancellationException e) {
                 return;

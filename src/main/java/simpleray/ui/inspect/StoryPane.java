@@ -4,7 +4,6 @@ import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.FlowLayout;
 import java.awt.Rectangle;
-import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.function.BiConsumer;
@@ -20,7 +19,6 @@ import javax.swing.tree.DefaultTreeModel;
 import javax.swing.tree.TreeNode;
 import javax.swing.tree.TreePath;
 import javax.swing.tree.TreeSelectionModel;
-import simpleray.rays.StoryText;
 import simpleray.scene.RayTree;
 
 /** The story of a pixel as a tree: each line below the one it belongs to, to be opened where one wants to know more. */
@@ -70,20 +68,6 @@ final class StoryPane extends JPanel {
         button.getAccessibleContext().setAccessibleName(tip.substring(0, tip.indexOf(" (")));
         button.addActionListener(e -> task.run());
         return button;
-    }
-
-    /** {@return a tree of lines} Any thread may call; long stories take their time. */
-    static DefaultMutableTreeNode tree(List<StoryText.Line> lines) {
-        List<DefaultMutableTreeNode> last = new ArrayList<>();   // on each level
-        for (StoryText.Line line : lines) {
-            DefaultMutableTreeNode node = new StoryTree.Node(line);
-            if (line.level() > 0) {
-                last.get(line.level() - 1).add(node);
-            }
-            last.subList(line.level(), last.size()).clear();
-            last.add(node);
-        }
-        return last.get(0);
     }
 
     /** Shows a story, and takes the keys if it is to be read by them. */

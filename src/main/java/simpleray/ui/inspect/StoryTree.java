@@ -24,6 +24,8 @@ import javax.swing.JViewport;
 import javax.swing.SwingUtilities;
 import javax.swing.ToolTipManager;
 import javax.swing.UIManager;
+import javax.swing.event.TreeExpansionEvent;
+import javax.swing.event.TreeWillExpandListener;
 import javax.swing.plaf.basic.BasicTreeUI;
 import javax.swing.tree.DefaultMutableTreeNode;
 import javax.swing.tree.DefaultTreeCellRenderer;
@@ -52,6 +54,11 @@ final class StoryTree extends JTree {
         Node(Line line) {
             super(line.text());
             this.line = line;
+        }
+
+        @Override
+        public boolean isLeaf() {
+            return line.more() == null && super.isLeaf();
         }
     }
 
@@ -85,6 +92,47 @@ final class StoryTree extends JTree {
         };
         addMouseListener(mouse);
         addMouseMotionListener(mouse);
+        addTreeWillExpandListener(new TreeWillExpandListener() {
+            @Override
+            public void treeWillExpand(TreeExpansionEvent e) {
+                growAt(e.getPath());
+            }
+
+            @Override
+            public void treeWillCollapse(TreeExpansionEvent e) {
+                // its lines stay
+            }
+        });
+    }
+
+    /** {@return a tree of lines} Any thread may call; long stories take their time. */
+    static DefaultMutableTreeNode tree(List<Line> lines) {
+        List<DefaultMutableTreeNode> last = new ArrayList<>();
+        add(lines, last);
+        return last.get(0);
+    }
+
+    /** Adds lines to a tree, of which the last node on each level is given. */
+    private static void add(List<Line> lines, List<DefaultMutableTreeNode> last) {
+        for (Line line : lines) {
+            DefaultMutableTreeNode node = new Node(line);
+            if (line.level() > 0) {
+                last.get(line.level() - 1).add(node);
+            }
+            last.subList(line.level(), last.size()).clear();
+            last.add(node);
+        }
+    }
+
+    private void growAt(TreePath path) {
+        if (path.getLastPathComponent() instanceof Node node && node.getChildCount() == 0 && node.line.more() != null) {
+            List<DefaultMutableTreeNode> above = new ArrayList<>();
+            for (Object part : path.getPath()) {
+                above.add((DefaultMutableTreeNode) part);
+            }
+            add(node.line.more().get(), above);
+            ((DefaultTreeModel) getModel()).nodeStructureChanged(node);
+        }
     }
 
     @Override
@@ -171,7 +219,7 @@ final class StoryTree extends JTree {
             this.metrics = metrics;
             this.width = width;
             for (Part part : parts) {
-                boolean whole = part.tip() != null || part.source() > 0;
+                boolean whole = part.meaning() != null || part.source() > 0;
                 int from = 0;
                 for (int space = part.text().indexOf(' '); !whole && space >= 0; space = part.text().indexOf(' ', from)) {
                     add(part, part.text().substring(from, space + 1), false);

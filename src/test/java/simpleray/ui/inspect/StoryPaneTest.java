@@ -21,6 +21,7 @@ import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
 import javax.swing.tree.DefaultMutableTreeNode;
 import javax.swing.tree.TreeNode;
+import javax.swing.tree.TreePath;
 import simpleray.rays.StoryText;
 import simpleray.render.PixelStory;
 import simpleray.render.RenderSettings;
@@ -36,11 +37,13 @@ import simpleray.ui.WindowTest;
 
 /** A story's lines as a tree. */
 class StoryPaneTest {
+    private static final SimpleCamera CAMERA = new SimpleCamera(20, 20);
+
     @WindowTest
     void theTreeHasEveryLineBelowTheOneItBelongsTo() throws IOException {
         List<StoryText.Line> lines = mirrors();
 
-        List<TreeNode> nodes = Collections.list(StoryPane.tree(lines).preorderEnumeration());
+        List<TreeNode> nodes = Collections.list(StoryTree.tree(lines).preorderEnumeration());
 
         assertThat(nodes.stream().map(DefaultMutableTreeNode.class::cast)
             .map(node -> node.getLevel() + " " + node.getUserObject()).collect(Collectors.toList()))
@@ -51,7 +54,7 @@ class StoryPaneTest {
 
     @WindowTest
     void ofSeveralSamplesTheMiddleOneIsOpenWithWhatTheRayFromTheEyeHits() throws IOException {
-        DefaultMutableTreeNode root = StoryPane.tree(mirrors());
+        DefaultMutableTreeNode root = StoryTree.tree(mirrors());
         OpenWindow.run(() -> {
             StoryPane pane = new StoryPane(() -> { }, () -> { }, (ray, lamp) -> { }, line -> { });
             pane.show("Pixel 10, 10", root, false);
@@ -70,8 +73,27 @@ class StoryPaneTest {
     }
 
     @WindowTest
+    void theOtherSamplesAreToldWhenTheyAreOpened() throws IOException {
+        DefaultMutableTreeNode root = StoryTree.tree(StoryText.outline(mirror(), scene(), CAMERA));
+        int begun = Collections.list(root.preorderEnumeration()).size();
+        List<String> all = mirrors().stream().map(StoryText.Line::text).collect(Collectors.toList());
+        assertThat(begun).isLessThan(all.size() / 2);
+        OpenWindow.run(() -> {
+            StoryPane pane = new StoryPane(() -> { }, () -> { }, (ray, lamp) -> { }, line -> { });
+            pane.show("Pixel 10, 10", root, false);
+            for (TreeNode sample : Collections.list(root.children())) {
+                tree(pane).expandPath(new TreePath(new Object[] {root, sample}));
+            }
+            assertThat(IntStream.range(0, tree(pane).getRowCount()).filter(row -> tree(pane).getPathForRow(row).getPathCount() == 3))
+                .hasSize(4);
+        });
+
+        assertThat(Collections.list(root.preorderEnumeration()).stream().map(Object::toString).collect(Collectors.toList())).isEqualTo(all);
+    }
+
+    @WindowTest
     void rowsAreWrappedAtAnyWidthAndNoButtonIsCut() throws IOException {
-        DefaultMutableTreeNode root = StoryPane.tree(mirrors());
+        DefaultMutableTreeNode root = StoryTree.tree(mirrors());
         StoryPane pane = OpenWindow.ask(() -> new StoryPane(() -> { }, () -> { }, (ray, lamp) -> { }, line -> { }));
         JFrame frame = OpenWindow.ask(() -> new JFrame());
         try {
@@ -111,7 +133,7 @@ class StoryPaneTest {
 
     @WindowTest
     void symbolsAndNumbersHaveTipsAndLinesAreLinks() throws IOException {
-        DefaultMutableTreeNode root = StoryPane.tree(mirrors());
+        DefaultMutableTreeNode root = StoryTree.tree(mirrors());
         List<Integer> shown = new ArrayList<>();
         OpenWindow.run(() -> {
             StoryPane pane = new StoryPane(() -> { }, () -> { }, (ray, lamp) -> { }, shown::add);
@@ -163,9 +185,14 @@ class StoryPaneTest {
 
     /** {@return the story of a pixel with four samples and many mirror rays} */
     private static List<StoryText.Line> mirrors() throws IOException {
-        Scene scene = SceneFile.read(TestScenes.MIRRORS).scene();
-        SimpleCamera camera = new SimpleCamera(20, 20);
-        PixelStory pixel = new Renderer(scene, camera, new RenderSettings(Stage.FINAL, 3, 2, 1)).explainer().story(10, 10);
-        return StoryText.lines(pixel, scene, camera);
+        return StoryText.lines(mirror(), scene(), CAMERA);
+    }
+
+    private static PixelStory mirror() throws IOException {
+        return new Renderer(scene(), CAMERA, new RenderSettings(Stage.FINAL, 3, 2, 1)).explainer().story(10, 10);
+    }
+
+    private static Scene scene() throws IOException {
+        return SceneFile.read(TestScenes.MIRRORS).scene();
     }
 }
