@@ -41,7 +41,7 @@ import simpleray.ui.widget.KeyBindings;
 final class StoryTree extends JTree {
     private static final long serialVersionUID = 1L;
     /** A line at a deep level is not wrapped at less than this width; one scrolls to its end. */
-    private static final int MIN_WIDTH = 220;
+    private static final int MIN_WIDTH = 60;
     private static final int MARGIN = 2;
     private static final int CHILD_INDENT = 7;                // on both sides of the handle
     private static final int UNSEEN = 400;                    // the width while it is not on the screen
@@ -233,14 +233,36 @@ final class StoryTree extends JTree {
 
         private void add(Part part, String text, boolean swatch) {
             if (!text.isEmpty()) {
-                int wide = metrics.stringWidth(text) + (swatch ? metrics.getHeight() : 0);
-                run.add(new Word(part, text, swatch, new Rectangle(0, 0, wide, metrics.getHeight())));
+                run.add(new Word(part, text, swatch, new Rectangle(0, 0, width(text, swatch), metrics.getHeight())));
             }
         }
 
         private void place() {
-            int wide = run.stream().mapToInt(word -> word.place.width).sum();
-            if (x > MARGIN && x + wide > MARGIN + width) {
+            if (width(run) <= width) {
+                placeTogether();
+                return;
+            }
+            List<Word> all = List.copyOf(run);
+            run.clear();
+            for (Word word : all) {                           // together longer than a line: broken at blanks, or where they must
+                boolean swatch = word.swatch;
+                for (String piece : word.text.split("(?<= )", -1)) {
+                    for (String rest = piece; !rest.isEmpty();) {
+                        int end = rest.length();
+                        while (end > 1 && width(rest.substring(0, end), swatch) > width) {
+                            end--;
+                        }
+                        add(word.part, rest.substring(0, end), swatch);
+                        placeTogether();
+                        swatch = false;
+                        rest = rest.substring(end);
+                    }
+                }
+            }
+        }
+
+        private void placeTogether() {
+            if (x > MARGIN && x + width(run) > MARGIN + width) {
                 x = MARGIN;
                 y += metrics.getHeight();
             }
@@ -251,6 +273,14 @@ final class StoryTree extends JTree {
             }
             words.addAll(run);
             run.clear();
+        }
+
+        private int width(String text, boolean swatch) {
+            return metrics.stringWidth(text) + (swatch ? metrics.getHeight() : 0);
+        }
+
+        private static int width(List<Word> words) {
+            return words.stream().mapToInt(word -> word.place.width).sum();
         }
 
         Dimension size() {

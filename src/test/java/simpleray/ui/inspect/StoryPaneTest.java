@@ -104,7 +104,7 @@ class StoryPaneTest {
                 pane.show("Pixel 10, 10", root, false);
             });
             List<Integer> heights = new ArrayList<>();
-            for (int width : new int[] {700, 330, 500}) {
+            for (int width : new int[] {700, 330, 500, 150}) {
                 OpenWindow.run(() -> {
                     frame.setSize(width, 300);
                     frame.validate();
