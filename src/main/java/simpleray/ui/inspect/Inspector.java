@@ -27,11 +27,13 @@ import javax.swing.JSplitPane;
 import javax.swing.SwingUtilities;
 import javax.swing.Timer;
 import javax.swing.tree.DefaultMutableTreeNode;
-import simpleray.rays.RaySegment;
 import simpleray.image.Picture;
+import simpleray.math.Ray;
+import simpleray.rays.Projection;
+import simpleray.rays.RaySegment;
+import simpleray.rays.StoryText;
 import simpleray.render.Explainer;
 import simpleray.render.PixelStory;
-import simpleray.rays.StoryText;
 import simpleray.scene.Camera;
 import simpleray.scene.RayTree;
 import simpleray.scene.Scene;
@@ -294,18 +296,27 @@ public final class Inspector {
             setCursor(start());
         }
         if (cursor != null) {
-            setCursor(inThisSize(cursor));
+            setCursor(inThisSize(cursor, job));
             if (isOpen() || untold != null || isRaysOpen()) {
                 tell(untold != null && untold);
             }
         }
     }
 
-    /** {@return the pixel where a pixel of a picture of another size was} */
-    private Point inThisSize(Point pixel) {
+    /** {@return the pixel that shows what a pixel of a picture of another size showed; if that is not known, where it was} */
+    private Point inThisSize(Point pixel, RenderJob job) {
         Dimension size = picture.imageSize();
-        return size.equals(cursorIn) ? pixel
-            : new Point(scaled(pixel.x, cursorIn.width, size.width), scaled(pixel.y, cursorIn.height, size.height));
+        if (size.equals(cursorIn)) {
+            return pixel;
+        }
+        if (story != null && story.pixel.x() == pixel.x && story.pixel.y() == pixel.y && job.snapshot().settings() != null) {
+            Ray ray = story.camera.through(pixel.x + MIDDLE, pixel.y + MIDDLE);
+            double[] at = new Projection(job.snapshot().settings().newCamera()).of(ray.getPointAt(1));
+            if (at != null && at[0] >= 0 && at[0] < size.width && at[1] >= 0 && at[1] < size.height) {
+                return new Point((int) at[0], (int) at[1]);
+            }
+        }
+        return new Point(scaled(pixel.x, cursorIn.width, size.width), scaled(pixel.y, cursorIn.height, size.height));
     }
 
     private static int scaled(int place, int before, int now) {

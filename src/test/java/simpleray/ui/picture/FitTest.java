@@ -316,6 +316,23 @@ class FitTest {
         Screen.until("it is the pixel of before", () -> isTold("Pixel 100, 30"));
     }
 
+    /** The shorter side shows the same of the scene: 150 rows, then 150 columns. */
+    @WindowTest
+    void thePixelOfAStoryShowsTheSamePlaceOfTheSceneInAPictureOfAnotherShape() throws Exception {
+        open(TestScenes.THESIS, OpenWindow.request(200, 150));
+        window.untilState(RenderJob.State.FINISHED);
+        window.untilProblems("lights nothing");
+        click(new Point(100, 30));
+        Screen.until("its story is there", () -> isTold("Pixel 100, 30"));
+
+        OpenWindow.run(() -> {
+            window.picture().setRequest(OpenWindow.request(450, 600));
+            window.picture().start();
+        });
+
+        Screen.until("the story is of the same place", () -> isTold("Pixel 226, 166"));   // 225 + 0.5 * 3, 300 - (75 - 30.5) * 3
+    }
+
     private static boolean isTold(String pixel) {
         return OpenWindow.seen(JLabel.class, label -> pixel.equals(label.getText())) != null;
     }
