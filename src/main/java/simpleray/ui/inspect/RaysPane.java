@@ -19,7 +19,8 @@ import simpleray.scene.RayTree;
 final class RaysPane extends JPanel {
     private static final long serialVersionUID = 1L;
     private static final int GAP = 6;
-    private static final int MIN_WIDTH = 360;
+    private static final int MIN_HEIGHT = 360;
+    private static final String WIDEST_TITLE = "Pixel 20000, 20000";
 
     private final RaysView view;
     private final JLabel title = new JLabel(" ");
@@ -51,8 +52,10 @@ final class RaysPane extends JPanel {
         add(head, BorderLayout.NORTH);
         add(view, BorderLayout.CENTER);
         add(place, BorderLayout.SOUTH);
-        setMinimumSize(new Dimension(MIN_WIDTH, 0));
-        setPreferredSize(new Dimension(Short.MAX_VALUE, MIN_WIDTH));   // all that the picture leaves
+        title.setText(WIDEST_TITLE);
+        setMinimumSize(new Dimension(head.getPreferredSize().width, 0));
+        title.setText(" ");
+        setPreferredSize(new Dimension(Short.MAX_VALUE, MIN_HEIGHT));  // all that the picture leaves
     }
 
     /** Draws what nobody sees, so that the first rays come at once. */
