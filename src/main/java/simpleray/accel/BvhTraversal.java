@@ -190,7 +190,7 @@ public final class BvhTraversal {
                 }
                 long entered;
                 do {
-                    if (top == 0) {
+                    if (top <= 0) {                           // == would let HotSpot assume that it never begins at 0
                         steps += visited;
                         return;
                     }

@@ -108,11 +108,14 @@ public final class LightBuffer {
 
     /** Makes the lists. */
     private static final class Builder {
+        private static final int WINDOW = 4;                  // numbers
+
         private final PrimitiveBounds bounds;
         private final double[] point;
         private final DirectionCube cube = new DirectionCube();
         private final double[] box = new double[PrimitiveBounds.SIDES];
         private final double[] slopes = new double[4];
+        private final int[] windows = new int[WINDOW * DirectionCube.FACES];   // of a primitive
         private int[] starts;
         private int[] lists;
         private int near;
@@ -133,7 +136,7 @@ public final class LightBuffer {
             long[] nearest = new long[n];                     // distances are not negative, so their bits have their order
             long listed = 0;
             for (int i = 0; i < n && listed <= 2 * most; i++) {
-                listed += list(i);
+                listed += count(i);
                 nearest[i] = (long) Float.floatToRawIntBits((float) (distance(box) * bounds.extent * (1 - 0x1p-20))) << Integer.SIZE | i;
             }
             if (listed > 2 * most) {                          // the sample was wrong
@@ -177,7 +180,7 @@ public final class LightBuffer {
                 cube.divide(cells);
                 long listed = 0;
                 for (int i = 0; i < n; i += step) {
-                    listed += list(i);
+                    listed += cells(i);
                 }
                 if (listed * step <= most) {
                     return true;
@@ -210,33 +213,67 @@ public final class LightBuffer {
             return Math.sqrt(square);
         }
 
-        /** Counts a primitive in the cells where it may be visible, or lists it there from the end of each list. {@return their number} */
-        private long list(int i) {
+        /**
+         * Finds the cells where a primitive may be visible: of each face the first one, how many are beside and below it, and how far it is to
+         * the row below. {@return the end of these windows} What is done with the cells has a method each: HotSpot compiles for what a method
+         * did first, and interprets it when it does something else.
+         */
+        private int find(int i) {
             see(i, i + 1);
-            long cells = 0;
+            int end = 0;
             for (int face = 0; face < DirectionCube.FACES; face++) {
                 if (DirectionCube.sees(box, face, slopes)) {
-                    int first = cube.column(face, slopes[0]);
-                    int last = cube.column(face, slopes[1]);
-                    int top = cube.row(face, slopes[2]);
-                    int bottom = cube.row(face, slopes[3]);
-                    cells += (last - first + 1L) * (bottom - top + 1L);
-                    for (int row = top; row <= bottom && starts != null; row++) {
-                        list(i, cube.cell(face, row) + first, last - first);
+                    int column = cube.column(face, slopes[0]);
+                    int row = cube.row(face, slopes[2]);
+                    windows[end] = cube.cell(face, row) + column;
+                    windows[end + 1] = cube.column(face, slopes[1]) + 1 - column;
+                    windows[end + 2] = cube.row(face, slopes[3]) + 1 - row;
+                    windows[end + 3] = cube.cell(face, 1) - cube.cell(face, 0);
+                    end += WINDOW;
+                }
+            }
+            return end;
+        }
+
+        /** {@return in how many cells a primitive may be visible} */
+        private long cells(int i) {
+            int end = find(i);
+            long cells = 0;
+            for (int at = 0; at < end; at += WINDOW) {
+                cells += (long) windows[at + 1] * windows[at + 2];
+            }
+            return cells;
+        }
+
+        /** Counts a primitive in its cells. {@return their number} */
+        private long count(int i) {
+            int end = find(i);
+            long cells = 0;
+            for (int at = 0; at < end; at += WINDOW) {
+                int from = windows[at];
+                for (int row = 0; row < windows[at + 2]; row++) {
+                    for (int k = from; k < from + windows[at + 1]; k++) {
+                        starts[k]++;
+                        cells++;
                     }
+                    from += windows[at + 3];
                 }
             }
             return cells;
         }
 
-        private void list(int i, int cell, int more) {
-            for (int k = cell; k <= cell + more; k++) {
-                if (lists == null) {
-                    starts[k]++;
-                } else {
-                    int at = 2 * --starts[k];
-                    lists[at] = i;
-                    lists[at + 1] = near;
+        /** Lists a primitive in its cells, from the end of each list. */
+        private void list(int i) {
+            int end = find(i);
+            for (int at = 0; at < end; at += WINDOW) {
+                int from = windows[at];
+                for (int row = 0; row < windows[at + 2]; row++) {
+                    for (int k = from; k < from + windows[at + 1]; k++) {
+                        int place = 2 * --starts[k];
+                        lists[place] = i;
+                        lists[place + 1] = near;
+                    }
+                    from += windows[at + 3];
                 }
             }
         }
