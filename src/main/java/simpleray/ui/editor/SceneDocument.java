@@ -44,6 +44,7 @@ public final class SceneDocument {
     private boolean changed;
     private SceneDisk.Answer copied;                          // what was written into the file that is opened next; null for nothing
     private boolean gone;                                     // the file: the text is nowhere else
+    private boolean lost;                                     // the text: the file was deleted, and there is another one of its name
     private SceneSource own;                                  // of the text that was rendered without saving it
     private String ownText;
     private final TextChecker checker;
@@ -101,7 +102,7 @@ public final class SceneDocument {
 
     /** {@return whether there is something that the file does not hold} */
     public boolean isChanged() {
-        return changed || gone;
+        return changed || gone || lost;
     }
 
     /** {@return the editor; null until it is asked for} */
@@ -337,7 +338,8 @@ public final class SceneDocument {
 
     /** Renders the scene and updates the text after its file, or one of its meshes, has changed. */
     public void fileChanged() {
-        if (!changed) {
+        lost = gone || lost;
+        if (!changed && !lost) {
             window.reload(source);
         }
         if (saved == null) {
@@ -353,16 +355,22 @@ public final class SceneDocument {
             if (answer.failure() != null || gone) {
                 window.say(gone ? "The text is the last one read" : answer.failure());
             } else if (Arrays.equals(answer.bytes(), bytes)) {
+                boolean again = changed || lost;              // a mesh, or the file is there again
                 resolve();
-                if (changed) {                                // then it was a mesh
-                    window.reload(window.picture().source());
+                if (again) {
+                    window.reload(changed ? window.picture().source() : source);
                 }
-            } else if (changed && !editor.holds(SceneText.of(answer.bytes()).text())) {
+                refresh();
+            } else if (isChanged() && !editor.holds(SceneText.of(answer.bytes()).text())) {
                 conflict(answer);
             } else {
+                boolean again = lost;
                 take(answer);
                 editor.area().replaceAll(saved.text());
                 refresh();
+                if (again) {
+                    window.reload(source);
+                }
                 markProblems(window.picture().job());
             }
         });
@@ -395,6 +403,7 @@ public final class SceneDocument {
 
     private void resolve() {
         other = null;
+        lost = false;
         window.banner().hide(CONFLICT);
         window.banner().hide(TEXT);
     }

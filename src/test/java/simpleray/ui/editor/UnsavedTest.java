@@ -150,6 +150,22 @@ class UnsavedTest {
     }
 
     @WindowTest
+    void theTextOfADeletedSceneGivesWayToAnotherFileOfItsNameOnlyIfOneSaysSo() throws IOException {
+        open(SceneSource.file(write(TEXT)));
+        Files.delete(scene);
+        Screen.until("the banner is there", () -> window.banner().message("gone") != null);
+        Files.write(scene, new byte[] {1, -1, 0, 2, -2});
+
+        untilBanner();
+        assertThat(text()).isEqualTo(TEXT);
+        assertThat(window.frame.getTitle()).startsWith("*");
+        click("Keep Mine");
+        window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_S);
+        Screen.until("it is told", () -> window.status().equals("Saved " + scene));
+        assertThat(Files.readString(scene)).isEqualTo(TEXT);
+    }
+
+    @WindowTest
     void whatIsSavedAtOnceAfterTypingIsTold() {
         openChanged();
         window.screen.press(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_S);
