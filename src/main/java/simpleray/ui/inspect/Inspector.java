@@ -444,6 +444,7 @@ public final class Inspector {
         setCursor(pixel);
         if (!cursor.equals(before)) {
             tell(false);
+            hovered = cursor;                                 // what is dragged is under the mouse
             tellLine(cursor);
         }
     }
