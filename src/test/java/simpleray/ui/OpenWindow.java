@@ -85,7 +85,7 @@ public final class OpenWindow implements AutoCloseable {
             made.picture().setZoom(new Zoom(false, 1), null);  // so that tests find its pixels on the screen
             made.setMinimumSize(null);                        // tests of large pictures have small windows
             Dimension needed = made.getPreferredSize();
-            made.setSize(Math.max(MIN_WIDTH, needed.width), Math.max(MIN_HEIGHT, needed.height));   // however large the screen is
+            made.setBounds(0, 0, Math.max(MIN_WIDTH, needed.width), Math.max(MIN_HEIGHT, needed.height));   // however large the screen is
             made.validate();
             first.accept(made);
             size.setSize(made.getSize());

@@ -32,11 +32,11 @@ final class WindowPlace {
         this.preferences = preferences;
         Rectangle place = seen(preferences.place(), screens());
         if (place == null) {
-            frame.setLocationByPlatform(true);
             Dimension needed = frame.getPreferredSize();
             Dimension screen = frame.getToolkit().getScreenSize();
             frame.setSize(side(screen.width, LARGE.width, MIN.width, needed.width),
                 side(screen.height, LARGE.height, MIN.height, needed.height));
+            frame.setLocationRelativeTo(null);                // AWT often does not learn where an X11 desktop puts it: menus open elsewhere
         } else {
             frame.setBounds(place);
         }

@@ -1,6 +1,7 @@
 package simpleray.ui.desktop;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import java.awt.Dimension;
 import java.awt.Rectangle;
@@ -74,6 +75,24 @@ class WindowPlaceTest {
         try {
             OpenWindow.run(() -> frame.setVisible(true));
             Screen.until("it can be seen", () -> frame.isShowing() && new Rectangle(screen).contains(frame.getBounds()));
+        } finally {
+            OpenWindow.end(frame);
+            Screen.until("all is written", () -> !OpenWindow.threads().contains("simpleray-preferences"));
+        }
+    }
+
+    /** A place of the desktop's own choice is not always told to the toolkit, whose menus then open where the window is not. */
+    @WindowTest
+    void theFirstWindowIsInTheMiddleOfTheScreen() throws InterruptedException {
+        Dimension screen = Toolkit.getDefaultToolkit().getScreenSize();
+
+        JFrame frame = OpenWindow.ask(() -> OpenWindow.hidden(Preferences.load(folder.resolve("none.properties"))));
+        try {
+            assertThat(frame.isLocationByPlatform()).isFalse();
+            Rectangle place = frame.getBounds();
+            assertThat(place.width).isEqualTo((int) (0.8 * screen.width));
+            assertThat(place.getCenterX()).isCloseTo(screen.width / 2.0, within(1.0));
+            assertThat(place.getCenterY()).isCloseTo(screen.height / 2.0, within(1.0));
         } finally {
             OpenWindow.end(frame);
             Screen.until("all is written", () -> !OpenWindow.threads().contains("simpleray-preferences"));
