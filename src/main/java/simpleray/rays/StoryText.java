@@ -117,9 +117,7 @@ public final class StoryText {
      * @return its lines, the first one at level 0 and all others below it
      */
     public static List<Line> lines(PixelStory pixel, Scene scene, Camera camera) {
-        StoryText text = new StoryText(pixel.stage().terms(), new ObjectNames(scene, camera));
-        text.tell(pixel, false);
-        return text.lines;
+        return lines(pixel, scene, camera, false);
     }
 
     /**
@@ -131,8 +129,12 @@ public final class StoryText {
      * @return its lines, the first one at level 0 and all others below it
      */
     public static List<Line> outline(PixelStory pixel, Scene scene, Camera camera) {
+        return lines(pixel, scene, camera, true);
+    }
+
+    private static List<Line> lines(PixelStory pixel, Scene scene, Camera camera, boolean outline) {
         StoryText text = new StoryText(pixel.stage().terms(), new ObjectNames(scene, camera));
-        text.tell(pixel, true);
+        text.tell(pixel, outline);
         return text.lines;
     }
 

@@ -299,38 +299,36 @@ class FitTest {
 
     @WindowTest
     void thePixelOfAStoryKeepsItsPlaceInAPictureOfAnotherSize() throws Exception {
-        open(TestScenes.THESIS, OpenWindow.request(200, 150));
-        window.untilState(RenderJob.State.FINISHED);
-        window.untilProblems("lights nothing");
-        click(new Point(100, 30));
-        Screen.until("its story is there", () -> isTold("Pixel 100, 30"));
-        OpenWindow.run(() -> {
-            window.picture().setRequest(OpenWindow.request(600, 450));
-            window.picture().start();
-        });
+        openAtPixel100And30();
+        renderAnew(600, 450);
         Screen.until("the story is of the same place", () -> isTold("Pixel 301, 91"));
-        OpenWindow.run(() -> {
-            window.picture().setRequest(OpenWindow.request(200, 150));
-            window.picture().start();
-        });
+        renderAnew(200, 150);
         Screen.until("it is the pixel of before", () -> isTold("Pixel 100, 30"));
     }
 
     /** The shorter side shows the same of the scene: 150 rows, then 150 columns. */
     @WindowTest
     void thePixelOfAStoryShowsTheSamePlaceOfTheSceneInAPictureOfAnotherShape() throws Exception {
+        openAtPixel100And30();
+
+        renderAnew(450, 600);
+
+        Screen.until("the story is of the same place", () -> isTold("Pixel 226, 166"));   // 225 + 0.5 * 3, 300 - (75 - 30.5) * 3
+    }
+
+    private void openAtPixel100And30() throws Exception {
         open(TestScenes.THESIS, OpenWindow.request(200, 150));
         window.untilState(RenderJob.State.FINISHED);
         window.untilProblems("lights nothing");
         click(new Point(100, 30));
         Screen.until("its story is there", () -> isTold("Pixel 100, 30"));
+    }
 
+    private void renderAnew(int width, int height) {
         OpenWindow.run(() -> {
-            window.picture().setRequest(OpenWindow.request(450, 600));
+            window.picture().setRequest(OpenWindow.request(width, height));
             window.picture().start();
         });
-
-        Screen.until("the story is of the same place", () -> isTold("Pixel 226, 166"));   // 225 + 0.5 * 3, 300 - (75 - 30.5) * 3
     }
 
     private static boolean isTold(String pixel) {
